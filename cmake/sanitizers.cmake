@@ -1,0 +1,11 @@
+# PROSPECT_SANITIZE: empty, asan (address and undefined behaviour) or tsan (threads).
+set(PROSPECT_SANITIZE "" CACHE STRING "asan, tsan or empty")
+if(PROSPECT_SANITIZE STREQUAL "asan")
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+elseif(PROSPECT_SANITIZE STREQUAL "tsan")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(PROSPECT_SANITIZE)
+  message(FATAL_ERROR "PROSPECT_SANITIZE is '${PROSPECT_SANITIZE}': say asan, tsan or nothing")
+endif()
