@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/task.h"
+
+namespace prospect::sim {
+
+// What can be achieved in a scene by someone who may try everything: the yardstick for planners.
+// Every legal plan is run `rounds` times from the saved state, then the best one `best_runs` times
+// with fresh noise.
+
+enum class SceneClass {
+  kSolvable,  // the best plan succeeded in at least 7 of 10 fresh runs
+  kDoubtful,  // neither
+  kHopeless,  // no success at all, in any run
+};
+
+const char* ToString(SceneClass scene_class);           // "solvable", "doubtful", "hopeless"
+SceneClass SceneClassFromString(const std::string& s);  // throws std::invalid_argument
+
+struct OracleOptions {
+  int rounds = 3;
+  int best_runs = 10;
+};
+
+// One complete legal plan and in how many rounds it succeeded.
+struct PlanCount {
+  std::vector<int> plan;
+  int successes = 0;
+};
+
+struct OracleResult {
+  SceneClass scene_class = SceneClass::kDoubtful;
+  int rounds = 0;
+  std::vector<PlanCount> plans;  // all complete legal plans, in lexicographic order
+  std::vector<int> best_plan;    // most successes, the first of equals
+  int best_runs = 0;
+  int best_successes = 0;               // of best_runs, with fresh noise
+  std::map<std::string, int> failures;  // reason -> (plan, round) pairs that failed for it
+
+  double success_frequency() const;     // best_successes / best_runs
+  double random_failure_share() const;  // share of all (plan, round) pairs that failed
+};
+
+// Consults the oracle from the task's current state, which is restored at the end. Plans with a
+// common beginning share it: an action sequence is simulated once a round. `scene_seed` feeds the
+// noise of the rounds and of the fresh runs, all different from the noise of the trial itself.
+OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOptions& options = {});
+
+}  // namespace prospect::sim
