@@ -1,0 +1,227 @@
+#include "model/hdf5_io.h"
+
+#include <utility>
+
+#include "model/dataset.h"
+
+namespace prospect::model::hdf5 {
+namespace {
+
+constexpr std::size_t kLongestText = 1 << 20;  // an attribute longer than this is damage
+
+template <typename T>
+hid_t NativeType();
+template <>
+hid_t NativeType<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+template <>
+hid_t NativeType<std::int8_t>() { return H5T_NATIVE_INT8; }
+template <>
+hid_t NativeType<int>() { return H5T_NATIVE_INT32; }
+template <>
+hid_t NativeType<float>() { return H5T_NATIVE_FLOAT; }
+
+[[noreturn]] void Fail(const std::string& file, const std::string& what) {
+  throw DataError(file + ": " + what);
+}
+
+std::size_t CheckedCount(hid_t space, const std::vector<hsize_t>& dims, const std::string& name,
+                         const std::string& file) {
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank != static_cast<int>(dims.size())) Fail(file, "'" + name + "' has the wrong rank; damaged");
+  std::vector<hsize_t> found(dims.size());
+  H5Sget_simple_extent_dims(space, found.data(), nullptr);
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < dims.size(); ++i) {
+    if (dims[i] > 0 && found[i] != dims[i]) Fail(file, "'" + name + "' has the wrong size; damaged");
+    count *= found[i];
+  }
+  return count;
+}
+
+Handle TextType(std::size_t size, const std::string& file) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, file, "text type");
+  Check(H5Tset_size(type, size), file, "text size");
+  Check(H5Tset_cset(type, H5T_CSET_UTF8), file, "text encoding");
+  return type;
+}
+
+void SetAttribute(hid_t object, const std::string& name, hid_t type, const void* value,
+                  const std::string& file) {
+  Handle space(H5Screate(H5S_SCALAR), H5Sclose, file, "scalar space");
+  Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                   file, "cannot create attribute '" + name + "'");
+  Check(H5Awrite(attribute, type, value), file, "cannot write attribute '" + name + "'");
+}
+
+Handle OpenAttribute(hid_t object, const std::string& name, const std::string& file) {
+  return Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, file,
+                "attribute '" + name + "' is missing; not a data set of ours, or damaged");
+}
+
+template <typename T>
+T GetScalar(hid_t object, const std::string& name, hid_t type, const std::string& file) {
+  Handle attribute = OpenAttribute(object, name, file);
+  T value{};
+  Check(H5Aread(attribute, type, &value), file, "cannot read attribute '" + name + "'");
+  return value;
+}
+
+std::string ReadVariableText(hid_t attribute, hid_t type, const std::string& name,
+                             const std::string& file) {
+  char* text = nullptr;
+  Check(H5Aread(attribute, type, &text), file, "cannot read attribute '" + name + "'");
+  std::string value(text == nullptr ? "" : text);
+  H5free_memory(text);
+  return value;
+}
+
+}  // namespace
+
+Handle::Handle(hid_t id, Close close, const std::string& file, const std::string& what)
+    : id_(id), close_(close) {
+  if (id_ < 0) Fail(file, what);
+}
+Handle::Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+Handle& Handle::operator=(Handle&& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(close_, other.close_);
+  return *this;
+}
+Handle::~Handle() {
+  if (id_ >= 0) close_(id_);
+}
+
+void Quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+void Check(herr_t status, const std::string& file, const std::string& what) {
+  if (status < 0) Fail(file, what);
+}
+
+Handle OpenFile(const std::string& path) {
+  Quiet();
+  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path,
+                "does not open as an HDF5 file: it is missing, not ours, or was cut off while being "
+                "written; collect or pack it again");
+}
+
+Handle CreateFile(const std::string& path) {
+  Quiet();
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path,
+                "cannot be created; check the folder and the space on the disk");
+}
+
+Handle CreateGroup(hid_t parent, const std::string& name, const std::string& file) {
+  return Handle(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                file, "cannot create group '" + name + "'");
+}
+
+Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file) {
+  return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, file,
+                "group '" + name + "' is missing; not a data set of ours, or damaged");
+}
+
+std::vector<std::string> LinkNames(hid_t group, const std::string& file) {
+  std::vector<std::string> names;
+  const auto append = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  Check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, append, &names), file,
+        "cannot list a group; damaged");
+  return names;
+}
+
+template <typename T>
+void Write(hid_t group, const std::string& name, const std::vector<T>& values,
+           const std::vector<hsize_t>& dims, const std::string& file) {
+  Handle space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, file,
+               "space of '" + name + "'");
+  Handle set(H5Dcreate2(group, name.c_str(), NativeType<T>(), space, H5P_DEFAULT, H5P_DEFAULT,
+                        H5P_DEFAULT),
+             H5Dclose, file, "cannot create '" + name + "'");
+  if (values.empty()) return;
+  Check(H5Dwrite(set, NativeType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), file,
+        "cannot write '" + name + "'");
+}
+
+template <typename T>
+std::vector<T> Read(hid_t group, const std::string& name, const std::vector<hsize_t>& dims,
+                    const std::string& file) {
+  Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, file,
+             "'" + name + "' is missing; not a data set of ours, or damaged");
+  Handle space(H5Dget_space(set), H5Sclose, file, "space of '" + name + "'");
+  std::vector<T> values(CheckedCount(space, dims, name, file));
+  if (values.empty()) return values;
+  Check(H5Dread(set, NativeType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), file,
+        "cannot read '" + name + "'; damaged");
+  return values;
+}
+
+template void Write(hid_t, const std::string&, const std::vector<std::uint8_t>&,
+                    const std::vector<hsize_t>&, const std::string&);
+template void Write(hid_t, const std::string&, const std::vector<std::int8_t>&,
+                    const std::vector<hsize_t>&, const std::string&);
+template void Write(hid_t, const std::string&, const std::vector<int>&, const std::vector<hsize_t>&,
+                    const std::string&);
+template void Write(hid_t, const std::string&, const std::vector<float>&, const std::vector<hsize_t>&,
+                    const std::string&);
+template std::vector<std::uint8_t> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
+                                        const std::string&);
+template std::vector<std::int8_t> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
+                                       const std::string&);
+template std::vector<int> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
+                               const std::string&);
+template std::vector<float> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
+                                 const std::string&);
+
+void WriteStrings(hid_t group, const std::string& name, const std::vector<std::string>& values,
+                  const std::string& file) {
+  std::size_t longest = 1;
+  for (const std::string& value : values) longest = std::max(longest, value.size());
+  std::string flat(values.size() * longest, '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) values[i].copy(&flat[i * longest], longest);
+  Handle type = TextType(longest, file);
+  const hsize_t count = values.size();
+  Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, file, "space of '" + name + "'");
+  Handle set(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+             H5Dclose, file, "cannot create '" + name + "'");
+  if (values.empty()) return;
+  Check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()), file,
+        "cannot write '" + name + "'");
+}
+
+void SetText(hid_t object, const std::string& name, const std::string& value,
+             const std::string& file) {
+  Handle type = TextType(std::max<std::size_t>(1, value.size()), file);
+  SetAttribute(object, name, type, value.empty() ? "\0" : value.data(), file);
+}
+
+void SetNumber(hid_t object, const std::string& name, double value, const std::string& file) {
+  SetAttribute(object, name, H5T_NATIVE_DOUBLE, &value, file);
+}
+
+void SetInteger(hid_t object, const std::string& name, std::int64_t value, const std::string& file) {
+  SetAttribute(object, name, H5T_NATIVE_INT64, &value, file);
+}
+
+std::string GetText(hid_t object, const std::string& name, const std::string& file) {
+  Handle attribute = OpenAttribute(object, name, file);
+  Handle type(H5Aget_type(attribute), H5Tclose, file, "type of attribute '" + name + "'");
+  if (H5Tget_class(type) != H5T_STRING) Fail(file, "attribute '" + name + "' is not text; damaged");
+  if (H5Tis_variable_str(type) > 0) return ReadVariableText(attribute, type, name, file);
+  const std::size_t size = H5Tget_size(type);
+  if (size > kLongestText) Fail(file, "attribute '" + name + "' is too long; damaged");
+  std::string value(size, '\0');
+  Check(H5Aread(attribute, type, value.data()), file, "cannot read attribute '" + name + "'");
+  return value.substr(0, value.find('\0'));
+}
+
+double GetNumber(hid_t object, const std::string& name, const std::string& file) {
+  return GetScalar<double>(object, name, H5T_NATIVE_DOUBLE, file);
+}
+
+std::int64_t GetInteger(hid_t object, const std::string& name, const std::string& file) {
+  return GetScalar<std::int64_t>(object, name, H5T_NATIVE_INT64, file);
+}
+
+}  // namespace prospect::model::hdf5

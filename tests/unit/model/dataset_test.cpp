@@ -1,0 +1,212 @@
+#include "model/dataset.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/unit/model/made_trial.h"
+
+namespace prospect::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DatasetTest : public ::testing::Test {
+ protected:
+  DatasetTest() {
+    dir_ = fs::temp_directory_path() /
+           ("prospect_dataset_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
+            "_" + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(dir_);
+    fs::create_directories(dir_);
+  }
+  ~DatasetTest() override { fs::remove_all(dir_); }
+  std::string Path(const std::string& name) const { return (dir_ / name).string(); }
+  std::string Write(std::uint64_t seed, int segments = 2, bool fails = false) const {
+    const std::string path = Path(std::to_string(seed) + ".h5");
+    WriteTrialFile(path, MadeTrial(seed, segments, fails));
+    return path;
+  }
+  fs::path dir_;
+};
+
+void ExpectSame(const Trial& a, const Trial& b) {
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.task, b.task);
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.reason, b.reason);
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_DOUBLE_EQ(a.tick_seconds, b.tick_seconds);
+  EXPECT_DOUBLE_EQ(a.image_noise, b.image_noise);
+  EXPECT_DOUBLE_EQ(a.light, b.light);
+  EXPECT_EQ(a.actions, b.actions);
+  EXPECT_EQ(a.prev_action, b.prev_action);
+  EXPECT_EQ(a.segment, b.segment);
+  EXPECT_EQ(a.rewards, b.rewards);
+  EXPECT_EQ(a.dones, b.dones);
+  EXPECT_EQ(a.present, b.present);
+  EXPECT_EQ(a.num_actions, b.num_actions);
+  EXPECT_EQ(a.plan_length, b.plan_length);
+  EXPECT_EQ(a.world_version, b.world_version);
+  EXPECT_EQ(a.task_hash, b.task_hash);
+  EXPECT_EQ(a.segment_succeeded, b.segment_succeeded);
+}
+
+TEST_F(DatasetTest, ATrialComesBackAsItWas) {
+  Trial trial = MadeTrial(7, 3, true);
+  trial.image_noise = 0.01;
+  trial.light = 0.93;
+  WriteTrialFile(Path("t.h5"), trial);
+  const TrialFile file(Path("t.h5"));
+  ASSERT_EQ(file.size(), 1U);
+  const Trial back = file.Read(0);
+  ExpectSame(back, trial);
+  EXPECT_EQ(back.images, trial.images);
+  EXPECT_TRUE(file.ReadLabels(0).images.empty());
+}
+
+TEST_F(DatasetTest, ATrialWithoutAnActionIsKept) {
+  Trial trial = MadeTrial(7, 0);
+  WriteTrialFile(Path("t.h5"), trial);
+  ExpectSame(TrialFile(Path("t.h5")).Read(0), trial);
+}
+
+TEST_F(DatasetTest, NoTemporaryFileIsLeft) {
+  Write(3);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++files;
+  EXPECT_EQ(files, 1U);
+}
+
+TEST_F(DatasetTest, AnUnwritableFolderIsAnErrorThatNamesTheFile) {
+  try {
+    WriteTrialFile(Path("absent/t.h5"), MadeTrial(1));
+    FAIL() << "expected DataError";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("absent/t.h5"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(DatasetTest, PackJoinsInTheOrderOfSeeds) {
+  EXPECT_EQ(PackTrialFiles({Write(9, 3), Write(2), Write(5, 2, true)}, Path("all.h5")), 3U);
+  const TrialFile file(Path("all.h5"));
+  EXPECT_EQ(file.seeds(), (std::vector<std::uint64_t>{2, 5, 9}));
+  const Trial nine = MadeTrial(9, 3);
+  EXPECT_EQ(file.Read(2).images, nine.images);
+  const DataSetSummary summary = Summarize(file);
+  EXPECT_EQ(summary.trials, 3U);
+  EXPECT_EQ(summary.successes, 2U);
+  ASSERT_EQ(summary.failures.size(), 1U);
+  EXPECT_EQ(summary.failures[0], (std::pair<std::string, std::size_t>{"time", 1}));
+  EXPECT_EQ(summary.segments, 7U);
+  EXPECT_EQ(summary.segments_succeeded, 6U);
+  EXPECT_EQ(summary.train + summary.valid + summary.test, 3U);
+}
+
+TEST_F(DatasetTest, APackedFileCanBePackedAgain) {
+  PackTrialFiles({Write(1), Write(2)}, Path("a.h5"));
+  EXPECT_EQ(PackTrialFiles({Path("a.h5"), Write(3)}, Path("b.h5")), 3U);
+  EXPECT_EQ(TrialFile(Path("b.h5")).Read(1).images, MadeTrial(2).images);
+}
+
+TEST_F(DatasetTest, PackRefusesTheSameSeedTwice) {
+  const std::string one = Write(4);
+  fs::copy_file(one, Path("copy.h5"));
+  EXPECT_THROW(PackTrialFiles({one, Path("copy.h5")}, Path("all.h5")), DataError);
+  EXPECT_FALSE(fs::exists(Path("all.h5")));
+}
+
+TEST_F(DatasetTest, PackRefusesAnotherImageSize) {
+  WriteTrialFile(Path("big.h5"), MadeTrial(8, 2, false, 4, 16));
+  EXPECT_THROW(PackTrialFiles({Write(4), Path("big.h5")}, Path("all.h5")), DataError);
+}
+
+TEST_F(DatasetTest, ChosenFramesAreThoseOfTheTrial) {
+  const TrialFile file(Write(6));
+  const Trial trial = MadeTrial(6);
+  std::vector<std::uint8_t> frames(2 * trial.frame_bytes());
+  file.ReadFrames(0, {8, 1}, frames.data());
+  EXPECT_EQ(std::vector<std::uint8_t>(frames.begin(), frames.begin() + trial.frame_bytes()),
+            std::vector<std::uint8_t>(trial.frame(8), trial.frame(8) + trial.frame_bytes()));
+  EXPECT_THROW(file.ReadFrames(0, {9}, frames.data()), DataError);
+  EXPECT_THROW(file.ReadFrames(0, {-1}, frames.data()), DataError);
+}
+
+TEST_F(DatasetTest, ATruncatedFileIsRefusedByName) {
+  const std::string path = Write(4);
+  fs::resize_file(path, fs::file_size(path) / 2);
+  EXPECT_FALSE(IsWholeTrialFile(path));
+  try {
+    const TrialFile file(path);
+    file.Read(0);
+    FAIL() << "expected DataError";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("4.h5"), std::string::npos);
+  }
+}
+
+TEST_F(DatasetTest, AFileThatIsNotOursIsRefused) {
+  std::ofstream(Path("text.h5")) << "not a data set";
+  EXPECT_THROW(TrialFile(Path("text.h5")), DataError);
+  EXPECT_THROW(TrialFile(Path("none.h5")), DataError);
+  EXPECT_FALSE(IsWholeTrialFile(Path("none.h5")));
+}
+
+TEST_F(DatasetTest, FlippedBytesNeverCrashTheReader) {
+  const std::string path = Write(4);
+  std::ifstream in(path, std::ios::binary);
+  const std::string good((std::istreambuf_iterator<char>(in)), {});
+  for (std::size_t at = 0; at < good.size(); at += 97) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(~bad[at]);
+    std::ofstream(Path("bad.h5"), std::ios::binary) << bad;
+    try {
+      const Trial trial = TrialFile(Path("bad.h5")).Read(0);
+      EXPECT_EQ(trial.frames(), 9);  // damage inside pixels or texts cannot be seen, the shape can
+    } catch (const DataError&) {
+    }
+  }
+}
+
+TEST_F(DatasetTest, TheContentHashFollowsLabels) {
+  const std::string a = TrialFile(Write(4)).ContentHash();
+  EXPECT_EQ(a, TrialFile(Write(4)).ContentHash());
+  EXPECT_NE(a, TrialFile(Write(4, 2, true)).ContentHash());
+  EXPECT_NE(a, TrialFile(Write(5)).ContentHash());
+}
+
+TEST(ValidateTrial, RefusesWhatBreaksTheRules) {
+  const auto refused = [](const auto& change) {
+    Trial trial = MadeTrial(1);
+    change(&trial);
+    EXPECT_THROW(ValidateTrial(trial), DataError);
+  };
+  EXPECT_NO_THROW(ValidateTrial(MadeTrial(999'999)));
+  refused([](Trial* t) { t->seed = 1'000'000; });
+  refused([](Trial* t) { t->outcome = "maybe"; });
+  refused([](Trial* t) { t->images.pop_back(); });
+  refused([](Trial* t) { t->actions[3] = 9; });
+  refused([](Trial* t) { t->actions[0] = 1; });
+  refused([](Trial* t) { t->segment[4] = 5; });
+  refused([](Trial* t) { t->segment_succeeded.pop_back(); });
+  refused([](Trial* t) { t->present.pop_back(); });
+}
+
+TEST(Split, IsFrozen) {
+  // Changing these values would move trials between training and test sets.
+  std::string splits;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) splits += SplitName(SplitOf(seed))[1];
+  EXPECT_EQ(splits, "rraererrrrrrrarrrrrrrrrrraerrrrrrrrrrrrr");
+}
+
+TEST(Split, HasATenthEach) {
+  int counts[3] = {0, 0, 0};
+  for (std::uint64_t seed = 0; seed < 100'000; ++seed) ++counts[static_cast<int>(SplitOf(seed))];
+  EXPECT_NEAR(counts[static_cast<int>(Split::kTest)], 10'000, 400);
+  EXPECT_NEAR(counts[static_cast<int>(Split::kValid)], 10'000, 400);
+}
+
+}  // namespace
+}  // namespace prospect::model
