@@ -1,0 +1,165 @@
+// One worker's part of a search: Algorithm 1 of the paper, cut into pieces that never wait. The
+// owner passes in what is heard (evaluations, other workers' statistics and requests) and the time,
+// and sends out what Advance and MakeBatch give. The same class, never told to Advance, is how an
+// observer reads off the plan.
+//
+//   EVALUATE  V and f of the node; f < c_done makes the value 0; neither test is made at the root
+//   SAMPLE    the selection rule's best child among those the task allows and p permits
+//   T         asked for: Advance returns the path, Deliver brings its evaluation, and the rollout
+//   walks on UPDATE    N, W, v* of every node on the path; the value is formed on the way up by the
+//   rule (Backup)
+//
+// A rollout ends at depth d, at a value below v_failed, at a failed action (value 0), where the
+// plan is complete (value V), or where nothing more is permitted (value 0). N counts rollouts;
+// evaluations are another count: a rollout over known paths needs none, one into unknown country
+// needs one for each step.
+//
+// Not thread safe; no threads, clock or randomness inside. Given the same calls in the same order,
+// it does the same.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "planner/evaluation_table.h"
+#include "planner/plan.h"
+#include "planner/plan_reader.h"
+#include "planner/search_parameters.h"
+#include "planner/selection_rule.h"
+#include "planner/shared_statistics.h"
+#include "planner/task_rules.h"
+
+namespace prospect::planner {
+
+// Why no rollout is started any more.
+enum class StopReason { kRunning, kSamples, kExhausted, kDeadline, kStopped };
+const char* ToString(StopReason reason);
+
+// Who searches what.
+struct SearchIdentity {
+  SearchId search;
+  std::uint64_t writer = 1;           // random per process start, never 0
+  int worker_index = 0;               // breaks ties differently in each worker
+  std::int64_t lease_us = 1'000'000;  // SharedStatisticsOptions::lease_us
+};
+
+enum class Delivery {
+  kNew,
+  kReplaced,  // a lower (fingerprint, V) took the place of a known one
+  kDuplicate,
+  kRefused,  // not num_actions numbers, not in [0, 1], or a path that the task's rules exclude
+};
+
+class Search {
+ public:
+  // `executed`: actions already carried out before this root. Throws std::invalid_argument for bad
+  // rules or parameters.
+  Search(TaskRules rules, SearchParameters parameters, Path executed, SearchIdentity identity);
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  // --- what is heard
+  // An evaluation, whoever asked for it. `fingerprint`: the engine's. The rollouts that waited for
+  // it move at the next Advance.
+  Delivery Deliver(const Path& path, const Evaluation& evaluation, std::uint64_t fingerprint);
+  // Another worker asked for these paths: they count as in flight, and this worker does not ask
+  // too, for patience_us.
+  void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us);
+  // Other workers' rows; see SharedStatistics::Merge.
+  int Merge(const StatisticsBatch& batch, std::int64_t now_us);
+
+  // --- what is to be sent
+  // Lets every rollout go as far as evaluations allow and starts new ones until `max_new_leaves`
+  // paths are to be evaluated that nobody has asked for, or done(). Returns those paths (each once,
+  // until Abandon). Rollouts already begun may add to them beyond max_new_leaves; call with max(0,
+  // wanted - waiting()) to keep `wanted` in flight.
+  std::vector<Path> Advance(int max_new_leaves, std::int64_t now_us);
+  // See SharedStatistics::MakeBatch; fills in this worker's totals.
+  StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
+  // Visited paths whose evaluation was never heard here, at most `limit`: ask for them before
+  // BestPlan, or it may differ from other processes' plans.
+  std::vector<Path> MissingEvaluations(int limit) const;
+
+  // --- ending
+  // This evaluation will not come: rollouts that wait for it are given up, and it may be asked for
+  // again.
+  void Abandon(const Path& path);
+  // Gives up all rollouts in flight and starts no more. Rows and evaluations are still taken in.
+  void Stop();
+  // No rollout will be started: N + O at the root (all writers) reached the samples, every
+  // permitted future is known and visited, the deadline has passed, or Stop. kSamples may turn back
+  // to kRunning when a silent writer's lease ends.
+  StopReason stop_reason(std::int64_t now_us) const;
+  bool done(std::int64_t now_us) const { return stop_reason(now_us) != StopReason::kRunning; }
+  // done, and nothing of this worker's is in flight: its counts are final.
+  bool finished(std::int64_t now_us) const { return done(now_us) && rollouts_.empty(); }
+
+  // --- the answer, and counts
+  Plan BestPlan() const;
+  int waiting() const { return static_cast<int>(rollouts_.size()); }  // own rollouts in flight
+  std::int64_t rollouts() const;                                      // completed by this worker
+  std::int64_t total_rollouts() const;                           // completed by all, as known here
+  std::int64_t evaluations() const { return own_evaluations_; }  // asked for here, and answered
+  std::int64_t known_evaluations() const { return evaluations_.size(); }  // heard, whoever asked
+  SharedStatistics& statistics() { return statistics_; }
+  const SharedStatistics& statistics() const { return statistics_; }
+  const PathTree& paths() const { return paths_; }
+  const EvaluationTable& evaluation_table() const { return evaluations_; }
+  const TaskRules& rules() const { return rules_; }
+  const SearchParameters& parameters() const { return parameters_; }
+  const Path& executed() const { return executed_; }
+
+ private:
+  enum class Pending : std::uint8_t { kNo, kOwn, kForeign };
+
+  struct Node {
+    std::int64_t pending_since_us = 0;
+    std::int32_t first_allowed = -1;  // into allowed_, once known
+    std::uint8_t num_allowed = 0;
+    Pending pending = Pending::kNo;
+    bool complete = false;   // by the task's rules; known with first_allowed
+    bool exhausted = false;  // everything below is known and visited
+  };
+
+  // How far a rollout came: its leaf has no evaluation, or it ended.
+  enum class Walked { kEnded, kBlocked };
+
+  Node& NodeOf(PathId id);
+  void ResolveRules(PathId id);
+  bool Terminal(PathId id);
+  double LeafValue(PathId id);
+  bool Permitted(PathId id, int action) const;
+  PathId SelectChild(PathId id);
+  ParentView ViewOf(PathId id);
+  ChildView ViewOfChild(PathId parent, int action, PathId child) const;
+  std::int64_t ExtraInFlight(PathId child) const;
+  Walked Walk(PathId* at);
+  void Backup(PathId leaf);
+  double ValueThrough(PathId id, double below) const;
+  void ForEachOnPath(PathId leaf, void (SharedStatistics::*action)(PathId));
+  void ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
+  void StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
+  void Absorb();
+  void UpdateExhausted(PathId id);
+  bool NowExhausted(PathId id);
+
+  TaskRules rules_;
+  SearchParameters parameters_;
+  Path executed_;
+  SearchIdentity identity_;
+  int depth_;  // longest path of this search
+  std::unique_ptr<const SelectionRule> rule_;
+  PathTree paths_;
+  EvaluationTable evaluations_;
+  SharedStatistics statistics_;
+  std::vector<Node> nodes_;            // by path id
+  std::vector<std::uint8_t> allowed_;  // allowed actions of all nodes, one after the other
+  std::vector<PathId> rollouts_;       // own rollouts in flight: the path each waits for
+  std::vector<PathId> given_up_;       // scratch of StartRollouts
+  std::int64_t own_evaluations_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace prospect::planner

@@ -1,0 +1,69 @@
+// Which child a rollout goes to next, and how values travel up. A rule sees numbers only; the
+// search applies the task's rules and the structure prior before it asks, and breaks ties by
+// hash(search seed, worker index, path). Rules are immutable and safe from any thread.
+//
+// Names for MakeSelectionRule:
+//   paper              c Q / (N + O + 1) + v*, v* = 0 if unvisited. Paper, Algorithm 1 (SAMPLE),
+//   with the visit about to
+//                      be made counted in N (the paper's formula is undefined at N = 0) and visits
+//                      in flight O beside it. Backs up the product of V.
+//   paper-literal      c Q / (N + O) + v*, and a child with N + O = 0 before all others, the higher
+//   Q first: the paper's
+//                      formula to the letter. Backs up the product of V.
+//   puct               W/N + c_puct P sqrt(N_parent + O_parent) / (1 + N + O), P = Q / sum of Q
+//   over the children
+//                      (Silver et al. 2017). Visits in flight enter the bonus only, as in WU-UCT
+//                      (Liu et al. 2020) and lc0. An unvisited child's mean is its parent's. Backs
+//                      up the plan score.
+//   puct-virtual-loss  as puct, but a visit in flight counts as one that returned 0 (Chaslot et al.
+//   2008). random             uniform over the children, a function of seed, worker, path and
+//   visits. Backs up the plan score.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace prospect::planner {
+
+// How a rollout's value is formed on the way up. The first node counted is the root.
+enum class Backup {
+  kValueProduct,  // v = V times the value below (paper, Algorithm 1); at the last node v = V
+  kPlanScore,     // v = f times the value below; at the last node v = f V (f = 1 at the root)
+};
+
+// The node whose children are compared. Counts are sums over all writers.
+struct ParentView {
+  std::int64_t visits;     // completed visits N
+  std::int64_t in_flight;  // live visits O
+  double mean;             // W / N, or V if unvisited
+  double q_sum;            // sum of Q over the children that may be chosen
+};
+
+struct ChildView {
+  double q;                // Q of the action
+  std::int64_t visits;     // N
+  std::int64_t in_flight;  // O
+  double mean;             // W / N; 0 if unvisited
+  double best;             // v*; 0 if unvisited
+  std::uint64_t tie;       // hash(seed, worker, path), constant for a child
+};
+
+class SelectionRule {
+ public:
+  virtual ~SelectionRule() = default;
+  // The child with the highest score is taken. Never NaN; +infinity is allowed.
+  virtual double Score(const ParentView& parent, const ChildView& child) const = 0;
+  virtual Backup backup() const = 0;
+};
+
+// c: the paper's exploration constant; c_puct: PUCT's. Throws std::invalid_argument listing the
+// names for an unknown one.
+std::unique_ptr<const SelectionRule> MakeSelectionRule(const std::string& name, double c,
+                                                       double c_puct);
+
+// The names above, in that order.
+const std::vector<std::string>& SelectionRuleNames();
+
+}  // namespace prospect::planner

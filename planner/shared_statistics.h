@@ -1,0 +1,188 @@
+// The visit statistics of a search, shared among any number of writers (planner workers) over a
+// transport that may lose, repeat and reorder messages. Rows are keyed by (writer, path). Merging
+// keeps, for each key, the greatest row in the order (N, version, heard from the writer itself
+// before relayed, W, v*); because that is a maximum, any set of batches merged in any order and any
+// number of times gives one table. N, W and live O are summed over writers; v* is their maximum.
+//
+// Visits in flight are the one thing that is not permanent. A writer's O counts only while a batch
+// of its own with a higher sequence number than before was heard within the lease, on the
+// receiver's own steady clock; relays and duplicates do not renew it, so a killed worker stops
+// repelling the others after one lease.
+//
+// Not thread safe. Refers to a PathTree that must outlive it. Time is an argument, in microseconds
+// of any steady clock. Rows that break the rules of planner/statistics_batch.h are refused and
+// counted, never thrown at the caller.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "planner/path_tree.h"
+#include "planner/statistics_batch.h"
+
+namespace prospect::planner {
+
+struct SharedStatisticsOptions {
+  SearchId search;
+  std::uint64_t writer = 0;           // this process; random per start, never 0
+  std::int64_t lease_us = 1'000'000;  // > 0
+  int max_paths = 4'000'000;          // rows for paths beyond this many known ones are refused
+};
+
+// Sums over writers for one path.
+struct PathTotals {
+  std::int64_t visits = 0;     // N
+  std::int64_t value_sum = 0;  // W, in units of 1 / kValueOne
+  std::int64_t in_flight = 0;  // live O
+  float best = 0;              // v*
+  double mean() const {
+    return visits > 0 ? static_cast<double>(value_sum) / kValueOne / visits : 0;
+  }
+};
+
+// What was refused, by reason. The first two refuse a whole batch, the others one row.
+struct RefusalCounts {
+  std::int64_t other_search = 0;     // another search id or epoch
+  std::int64_t checksum = 0;         // payload and checksum disagree, or no writer
+  std::int64_t visits_fell = 0;      // N falls while the version grows (or the reverse)
+  std::int64_t best_range = 0;       // v* outside [0, 1] or NaN
+  std::int64_t in_flight_range = 0;  // O < 0
+  std::int64_t sum_range = 0;        // N < 0, or W outside [0, N kValueOne]
+  std::int64_t path = 0;             // action outside the table, path too long, table full
+  std::int64_t own_row = 0;          // a row under this writer's id that this writer did not make
+  std::int64_t total() const;
+};
+
+// What is known of one writer.
+struct WriterView {
+  std::uint64_t id = 0;
+  bool live = false;         // within its lease (this process: always)
+  bool heard = false;        // a batch of its own was heard (not only relays)
+  WriterTotals announced;    // from its newest batch; this process: its current totals
+  std::int64_t rows = 0;     // rows with N > 0 known here
+  std::uint64_t digest = 0;  // of these rows
+  bool Converged() const { return heard && rows == announced.rows && digest == announced.digest; }
+};
+
+class SharedStatistics {
+ public:
+  // Throws std::invalid_argument for a writer of 0 or a lease that is not positive.
+  SharedStatistics(PathTree* paths, const SharedStatisticsOptions& options);
+
+  // --- this writer's own rows; O(1), no allocation beyond growth. `id` must be in the PathTree.
+  void Begin(PathId id);                   // O += 1: a rollout goes through
+  void Cancel(PathId id);                  // O -= 1: it was given up
+  void Complete(PathId id, double value);  // O -= 1, N += 1, W += value, v* = max; value in [0, 1]
+
+  // --- sums over all writers. Unknown ids have all zeros.
+  const PathTotals& totals(PathId id) const;
+  std::int64_t own_in_flight(PathId id) const;  // this writer's part of O
+
+  // --- exchange
+  // Takes over what is newer, and tells live from silent writers at time `now_us`. Returns how many
+  // rows changed.
+  int Merge(const StatisticsBatch& batch, std::int64_t now_us);
+  // This process's next batch within `byte_budget` (counted by RowBytes). Own rows that changed
+  // since they were last sent go first, the greatest unsent N first (a parent before its child); a
+  // quarter of the budget is kept for the round-robin over all rows known, those of other writers
+  // as relays with O = 0. At least one row of each kind is sent if there is one, however small the
+  // budget.
+  StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
+  // Stops counting the O of writers whose lease has run out at `now_us`. Merge and MakeBatch do so
+  // too.
+  void ExpireLeases(std::int64_t now_us);
+
+  // What the search adds to this writer's announced totals.
+  void SetOwnEvaluations(std::int64_t evaluations) { own_evaluations_ = evaluations; }
+  void SetFinished(bool finished) { finished_ = finished; }
+
+  // Paths whose N rose from 0 since the last call, in that order.
+  std::vector<PathId> TakeNewlyVisited();
+
+  // --- inspection
+  // Digest of all rows with N > 0 of all writers; equal tables have equal digests whatever the
+  // order of arrival.
+  std::uint64_t digest() const;
+  std::int64_t rows() const;                // rows with N > 0, over all writers
+  std::vector<WriterView> writers() const;  // this process first, the others by id
+  bool ConvergedWithLive() const;           // every live writer's announced rows are all known here
+  std::int64_t round_robin_rounds() const {
+    return rounds_;
+  }  // times the round-robin went over all rows
+  std::vector<StatisticsRow> AllRows()
+      const;  // rows with N > 0 sorted by (path, writer), O as known: for tests and logs
+  const RefusalCounts& refusals() const { return refusals_; }
+  const SearchId& search() const { return options_.search; }
+  std::uint64_t writer() const { return options_.writer; }
+
+ private:
+  struct Row {
+    std::uint64_t version = 0;
+    std::int64_t visits = 0;
+    std::int64_t value_sum = 0;
+    float best = 0;
+    std::int32_t in_flight = 0;
+    bool direct = false;  // heard from the writer itself
+    bool known = false;   // listed in known_
+  };
+  struct Sent {
+    std::int64_t visits = 0;
+    std::int32_t in_flight = 0;
+    bool dirty = false;          // listed in dirty_
+    std::uint64_t in_batch = 0;  // sequence of the last batch that carried it
+  };
+  struct Writer {
+    std::uint64_t id = 0;
+    std::uint64_t sequence = 0;  // highest heard
+    std::int64_t heard_us = 0;
+    bool live = false;
+    WriterTotals announced;
+    std::vector<Row> rows;  // by path id
+    std::int64_t count = 0;
+    std::uint64_t digest = 0;
+  };
+  struct RowKey {
+    int writer;
+    PathId path;
+  };
+
+  Row& RowOf(int writer, PathId id);
+  PathTotals& TotalsOf(PathId id);
+  int WriterIndex(std::uint64_t id);
+  std::uint64_t RowDigest(const Row& row, PathId id) const;
+  void Touch(PathId id, Row* row);
+  void NoteKnown(int writer, PathId id, Row* row);
+  void ReplaceDigest(Writer* writer, PathId id, const Row& before, const Row& after);
+  void NoteFirstVisit(PathId id, std::int64_t visits_before);
+  bool AcceptBatch(const StatisticsBatch& batch);
+  void NoteHeard(const StatisticsBatch& batch, std::int64_t now_us);
+  bool Sound(const StatisticsRow& row);
+  bool MergeRow(const StatisticsRow& row, bool direct);
+  void ReplaceRow(int writer, PathId id, const Row& fresh);
+  void SetLive(Writer* writer, bool live);
+  std::vector<PathId> ChangedRows(std::size_t byte_budget);
+  void AddChanged(std::size_t byte_budget, StatisticsBatch* batch);
+  void AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch);
+  StatisticsRow Export(int writer, PathId id) const;
+  WriterTotals OwnTotals() const;
+
+  PathTree* paths_;
+  SharedStatisticsOptions options_;
+  std::vector<Writer> writers_;  // index 0: this process
+  std::unordered_map<std::uint64_t, int> writer_index_;
+  std::vector<PathTotals> totals_;  // by path id
+  std::vector<Sent> sent_;          // by path id, own rows
+  std::vector<PathId> dirty_;
+  std::vector<RowKey> known_;  // every row ever known, in order of appearance
+  std::size_t cursor_ = 0;     // of the round-robin, into known_
+  std::int64_t rounds_ = 0;
+  std::vector<PathId> newly_visited_;
+  std::uint64_t clock_ = 0;     // versions of own rows
+  std::uint64_t sequence_ = 0;  // batches made
+  std::int64_t own_evaluations_ = 0;
+  bool finished_ = false;
+  RefusalCounts refusals_;
+};
+
+}  // namespace prospect::planner

@@ -1,0 +1,47 @@
+// What a task allows, apart from any learned model: which action may follow which, whether an
+// action may be repeated, and after how many actions the task's plan is complete. The search masks
+// what the rules exclude, so that no network is asked about it. Plain data; const member functions
+// are safe from any thread.
+#pragma once
+
+#include <vector>
+
+#include "planner/path.h"
+
+namespace prospect::planner {
+
+struct TaskRules {
+  // Number of actions, 1 to kMaxActions; actions are 0 to num_actions - 1.
+  int num_actions = 0;
+  // Actions in a complete plan, counted from the episode's start (executed ones included), 1 to
+  // kMaxPathLength.
+  int plan_length = 0;
+  // Row i lists the actions that may follow action i; row num_actions those that may come first
+  // (null action).
+  std::vector<std::vector<int>> successors;
+  // False: an action that was executed, or that stands earlier in the path, may not be taken again.
+  bool repeats_allowed = false;
+
+  // `executed`: actions already carried out before this root, oldest first. `path`: actions
+  // imagined from the root. False also when the plan is complete. `action` outside the table is
+  // never allowed.
+  bool Allowed(const Path& executed, const Path& path, int action) const;
+
+  // All allowed actions, ascending. Empty when the plan is complete or the rules lead nowhere.
+  std::vector<int> AllowedActions(const Path& executed, const Path& path) const;
+
+  // True when executed and path together are a plan of plan_length actions.
+  bool Complete(const Path& executed, const Path& path) const;
+
+  // True when every action of `path`, taken in turn, is allowed.
+  bool Legal(const Path& executed, const Path& path) const;
+
+  // Throws std::invalid_argument naming the field that is wrong and the range it must have.
+  void Validate() const;
+};
+
+// Rules in which any action may follow any other (and itself, if repeats are allowed): the
+// navigation task.
+TaskRules AnyOrder(int num_actions, int plan_length, bool repeats_allowed = false);
+
+}  // namespace prospect::planner
