@@ -1,0 +1,99 @@
+#include "lcmtypes/checked_codec.h"
+
+#include <array>
+
+namespace prospect::messages {
+namespace {
+
+// Steps over one message's bytes, never past their end. `reason` stays null while all is well.
+class Walker {
+ public:
+  Walker(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
+
+  const char* reason() const { return reason_; }
+  std::size_t left() const { return left_; }
+
+  bool Skip(std::size_t bytes) {
+    if (bytes > left_) return Refuse("truncated");
+    at_ += bytes;
+    left_ -= bytes;
+    return true;
+  }
+
+  bool WalkStruct(const TypeSchema& type) {
+    // Values of the counts met so far, by field. A field that counts no array costs nothing to keep.
+    std::array<std::int32_t, kMaxFields> counts;
+    for (std::size_t i = 0; i < type.fields.size(); ++i) {
+      const FieldSchema& field = type.fields[i];
+      if (field.kind == FieldKind::kInt32 && field.count_field < 0) {
+        if (!ReadInt32(counts[i])) return false;
+      } else if (!WalkField(field, field.count_field < 0 ? 1 : counts[field.count_field])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool Refuse(const char* reason) {
+    reason_ = reason;
+    return false;
+  }
+
+  bool ReadInt32(std::int32_t& value) {
+    if (left_ < 4) return Refuse("truncated");
+    const std::uint32_t bits = (std::uint32_t{at_[0]} << 24) | (std::uint32_t{at_[1]} << 16) |
+                               (std::uint32_t{at_[2]} << 8) | std::uint32_t{at_[3]};
+    value = static_cast<std::int32_t>(bits);
+    return Skip(4);
+  }
+
+  // Comparing with the least an element takes bounds both the time below and what the decoder will allocate.
+  bool WalkField(const FieldSchema& field, std::int32_t count) {
+    const bool array = field.count_field >= 0;
+    if (array && (count < 0 || static_cast<std::size_t>(count) > left_ / field.min_bytes)) {
+      return Refuse("length");
+    }
+    if (field.kind != FieldKind::kString && field.kind != FieldKind::kStruct) {
+      return Skip(static_cast<std::size_t>(count) * field.min_bytes);
+    }
+    for (std::int32_t i = 0; i < count; ++i) {
+      if (!WalkElement(field)) return false;
+    }
+    return true;
+  }
+
+  bool WalkElement(const FieldSchema& field) {
+    return field.kind == FieldKind::kString ? WalkString() : WalkStruct(Schema()[field.struct_index]);
+  }
+
+  // The length on the wire includes the closing zero.
+  bool WalkString() {
+    std::int32_t length = 0;
+    if (!ReadInt32(length)) return false;
+    if (length < 1 || static_cast<std::size_t>(length) > left_ || at_[length - 1] != 0) {
+      return Refuse("length");
+    }
+    return Skip(static_cast<std::size_t>(length));
+  }
+
+  const std::uint8_t* at_;
+  std::size_t left_;
+  const char* reason_ = nullptr;
+};
+
+constexpr std::size_t kLargestMessage = std::size_t{1} << 28;  // LCM's own limit
+
+}  // namespace
+
+const char* WalkMessage(const TypeSchema& type, const void* data, std::size_t size) {
+  if (size < 8) return "truncated";
+  if (size > kLargestMessage) return "length";
+  if (FingerprintOf(data, size) != type.fingerprint) return "fingerprint";
+  Walker walker(static_cast<const std::uint8_t*>(data), size);
+  walker.Skip(8);
+  if (!walker.WalkStruct(type)) return walker.reason();
+  return walker.left() == 0 ? nullptr : "trailing";
+}
+
+}  // namespace prospect::messages

@@ -1,0 +1,135 @@
+#include <algorithm>
+
+#include "lcmtypes/validate.h"
+#include "lcmtypes/value_check.h"
+
+namespace prospect::messages {
+namespace {
+
+using namespace internal;
+
+constexpr double kFixedOne = 4294967296.0;  // 1 in W's fixed point
+constexpr int kMaxStatus = expand_reply_t::STATUS_REFUSED;
+
+bool AreFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+bool AreFinite(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+}
+
+bool IsAscending(const std::vector<std::uint8_t>& actions) {
+  return std::adjacent_find(actions.begin(), actions.end(), std::greater_equal<>()) == actions.end();
+}
+
+void CheckEvaluation(const evaluation_t& evaluation, ValueCheck& check) {
+  check.That(IsPath(evaluation.path), "evaluations: bad path")
+      .That(IsProbability(evaluation.value) && IsProbability(evaluation.done),
+            "evaluations: no probability")
+      .That(IsAscending(evaluation.actions), "evaluations: actions out of order");
+}
+
+// A sum of N values in 0..1 lies in 0..N; the slack of one covers rounding.
+void CheckRow(const statistics_row_t& row, ValueCheck& check) {
+  check.That(IsPath(row.path), "rows: bad path")
+      .That(IsCount(row.visits) && IsCount(row.version), "rows: negative visits or version")
+      .That(IsCount(row.in_flight), "rows: negative in_flight")
+      .That(IsProbability(row.best), "rows: best out of 0..1")
+      .That(row.value_sum >= 0 && static_cast<double>(row.value_sum) <=
+                                      (static_cast<double>(row.visits) + 1) * kFixedOne,
+            "rows: value_sum out of range");
+}
+
+}  // namespace
+
+std::string Validate(const expand_reply_t& message) {
+  ValueCheck check;
+  check.That(InRange<int>(message.status, 0, kMaxStatus), "status: unknown")
+      .That(IsCount(message.retry_ms), "retry_ms: negative");
+  for (const evaluation_t& evaluation : message.evaluations) CheckEvaluation(evaluation, check);
+  return check.Result();
+}
+
+std::string Validate(const expand_request_t& message) {
+  ValueCheck check;
+  check.That(IsCount(message.attempt), "attempt: negative")
+      .That(InRange(message.num_paths, 1, kMaxPathsPerRequest), "num_paths: out of range");
+  for (const path_t& path : message.paths) check.That(IsPath(path), "paths: bad path");
+  return check.Result();
+}
+
+std::string Validate(const model_info_t& message) {
+  ValueCheck check;
+  check.That(InRange(message.num_actions, 1, kMaxActions), "num_actions: out of range")
+      .That(InRange(message.image_width, 1, kMaxImageSide) &&
+                InRange(message.image_height, 1, kMaxImageSide),
+            "image: out of range")
+      .That(IsProbability(message.refusal_threshold), "refusal_threshold: out of 0..1")
+      .That(IsCount(message.queue), "queue: negative")
+      .That(std::isfinite(message.queue_age_ms) && std::isfinite(message.batch_ms),
+            "batch_ms: not finite")
+      .That(IsCount(message.evaluations) && IsCount(message.cache_hits), "evaluations: negative");
+  for (const std::int64_t bin : message.batch_histogram) check.That(IsCount(bin), "batch_histogram: negative");
+  return check.Result();
+}
+
+std::string Validate(const predict_reply_t& message) {
+  const bool no_picture = message.width == 0 && message.height == 0 && message.num_bytes == 0;
+  ValueCheck check;
+  check.That(InRange<int>(message.status, 0, kMaxStatus), "status: unknown")
+      .That(IsPath(message.path), "path: bad")
+      .That(no_picture || IsPicture(message.width, message.height, message.num_bytes),
+            "data: wrong picture size")
+      .That(AreFinite(message.hidden), "hidden: not finite");
+  return check.Result();
+}
+
+std::string Validate(const predict_request_t& message) {
+  ValueCheck check;
+  check.That(IsPath(message.path), "path: bad")
+      .That(IsBoolean(message.want_image) && IsBoolean(message.want_hidden),
+            "want: neither 0 nor 1");
+  return check.Result();
+}
+
+std::string Validate(const search_image_t& message) {
+  ValueCheck check;
+  check.That(message.encoding == observation_t::ENCODING_RGB8, "encoding: unknown")
+      .That(IsPicture(message.width, message.height, message.num_bytes), "data: wrong picture size");
+  return check.Result();
+}
+
+std::string Validate(const search_root_t& message) {
+  ValueCheck check;
+  check.That(IsCount(message.epoch), "epoch: negative")
+      .That(message.num_executed <= kMaxPathLength, "num_executed: too many")
+      .That(std::isfinite(message.time_left), "time_left: not finite")
+      .That(!message.rule.empty(), "rule: empty")
+      .That(AreFinite(message.parameter_values), "parameter_values: not finite")
+      .That(InRange(message.depth, 1, kMaxPathLength), "depth: out of range")
+      .That(message.samples >= 1, "samples: below 1")
+      .That(message.leaves >= 1, "leaves: below 1")
+      .That(IsBoolean(message.sharing), "sharing: neither 0 nor 1");
+  return check.Result();
+}
+
+std::string Validate(const search_statistics_t& message) {
+  ValueCheck check;
+  check.That(IsCount(message.sequence), "sequence: negative")
+      .That(IsCount(message.lease_ms), "lease_ms: negative")
+      .That(IsCount(message.rollouts) && IsCount(message.evaluations) && IsCount(message.in_flight) &&
+                IsCount(message.row_count),
+            "totals: negative")
+      .That(IsBoolean(message.is_final), "is_final: neither 0 nor 1");
+  for (const statistics_row_t& row : message.rows) CheckRow(row, check);
+  return check.Result();
+}
+
+std::string Validate(const search_stop_t& message) {
+  ValueCheck check;
+  check.That(IsCount(message.epoch), "epoch: negative");
+  return check.Result();
+}
+
+}  // namespace prospect::messages

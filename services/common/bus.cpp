@@ -1,0 +1,158 @@
+#include "services/common/bus.h"
+
+#include <fcntl.h>
+#include <lcm/lcm.h>
+#include <poll.h>
+#include <spdlog/spdlog.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <deque>
+
+namespace prospect::services {
+namespace {
+
+// lcm_subscribe takes a regular expression; our names are meant as they stand.
+std::string Quote(const std::string& channel) {
+  std::string pattern;
+  for (const char c : channel) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_') pattern += '\\';
+    pattern += c;
+  }
+  return pattern;
+}
+
+}  // namespace
+
+struct Bus::Connection {
+  lcm_t* lcm = nullptr;
+  int wake_fd = -1;
+  std::deque<RawMessage> arrived;
+  bool out_of_memory = false;
+
+  ~Connection() {
+    if (lcm) lcm_destroy(lcm);
+    if (wake_fd >= 0) close(wake_fd);
+  }
+
+  // Called by LCM from inside lcm_handle: copies, enqueues, returns. No exception may pass through LCM's C frames, and a
+  // copy can only fail for want of memory, which is told once we are out of them.
+  static void OnMessage(const lcm_recv_buf_t* buffer, const char* channel, void* self) noexcept {
+    auto* connection = static_cast<Connection*>(self);
+    try {
+      const auto* data = static_cast<const std::uint8_t*>(buffer->data);
+      connection->arrived.push_back({channel, buffer->recv_utime, {data, data + buffer->data_size}});
+    } catch (const std::exception&) {
+      connection->out_of_memory = true;
+    }
+  }
+
+  // The pattern is anchored by LCM itself.
+  bool Subscribe(const std::string& pattern, int queue_capacity) {
+    lcm_subscription_t* subscription = lcm_subscribe(lcm, pattern.c_str(), OnMessage, this);
+    if (!subscription) return false;
+    lcm_subscription_set_queue_capacity(subscription, queue_capacity);
+    return true;
+  }
+
+  // Waits for LCM, a Wake() or a signal.
+  void Wait(int timeout_ms) {
+    pollfd files[2] = {{lcm_get_fileno(lcm), POLLIN, 0}, {wake_fd, POLLIN, 0}};
+    poll(files, 2, timeout_ms);
+    std::uint64_t wakes = 0;
+    [[maybe_unused]] const ssize_t got = read(wake_fd, &wakes, sizeof wakes);
+  }
+
+  // Takes what LCM holds, without waiting.
+  void Drain() {
+    while (static_cast<int>(arrived.size()) < kMaxPerPoll && lcm_handle_timeout(lcm, 0) > 0) {
+    }
+    if (out_of_memory) throw std::bad_alloc();
+  }
+};
+
+Bus::Bus(const std::string& url)
+    : url_(ResolveBusUrl(url)), connection_(std::make_unique<Connection>()) {
+  connection_->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  connection_->lcm = lcm_create(url_.c_str());
+  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes it do so now.
+  if (!connection_->lcm || !connection_->Subscribe("PROSPECT_SELF_TEST", 1)) {
+    throw BusError(BusAdvice(url_));
+  }
+  const std::string warning = ReceiveBufferWarning(url_);
+  if (!warning.empty()) spdlog::warn("{}", warning);
+}
+
+Bus::~Bus() = default;
+
+void Bus::Open(const std::string& channel, int queue_capacity) {
+  if (!connection_->Subscribe(Quote(channel), queue_capacity)) {
+    throw BusError("cannot subscribe to " + channel + ": " + BusAdvice(url_));
+  }
+}
+
+void Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
+  constexpr int kEverything = 8192;
+  // One pattern for all channels: it also brings those of Subscribe(), so a tool uses one or the other.
+  if (!hubs_.empty()) throw std::logic_error("SubscribeAll() and Subscribe() exclude each other on one Bus");
+  if (raw_handlers_.empty() && !connection_->Subscribe(".*", kEverything)) throw BusError(BusAdvice(url_));
+  raw_handlers_.push_back(std::move(handler));
+}
+
+bool Bus::PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
+  return lcm_publish(connection_->lcm, channel.c_str(), bytes.data(),
+                     static_cast<unsigned>(bytes.size())) == 0;
+}
+
+int Bus::Poll(int timeout_ms) {
+  // What an earlier Poll() left (a handler threw) goes first and does not wait.
+  if (connection_->arrived.empty()) connection_->Wait(timeout_ms);
+  connection_->Drain();
+  int taken = 0;
+  while (!connection_->arrived.empty() && taken < kMaxPerPoll) {
+    const RawMessage message = std::move(connection_->arrived.front());
+    connection_->arrived.pop_front();
+    ++taken;
+    Dispatch(message);
+  }
+  return taken;
+}
+
+void Bus::Dispatch(const RawMessage& message) {
+  for (const auto& handler : raw_handlers_) handler(message);
+  const auto hub = hubs_.find(message.channel);
+  if (hub == hubs_.end()) return;
+  // Counted before the handlers run, so that the count holds even if one throws.
+  ChannelCounters& counters = counters_[message.channel];
+  ++counters.received;
+  const std::string reason = hub->second->Take(message);
+  if (reason.empty()) return;
+  --counters.received;
+  ++counters.refused[reason];
+}
+
+void Bus::Wake() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = write(connection_->wake_fd, &one, sizeof one);
+}
+
+std::int64_t Bus::received() const {
+  std::int64_t sum = 0;
+  for (const auto& [channel, counters] : counters_) sum += counters.received;
+  return sum;
+}
+
+std::int64_t Bus::refused() const {
+  std::int64_t sum = 0;
+  for (const auto& [channel, counters] : counters_) {
+    for (const auto& [reason, count] : counters.refused) sum += count;
+  }
+  return sum;
+}
+
+void Bus::CountRefused(const std::string& channel, const std::string& reason) {
+  ++counters_[channel].refused[reason];
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/checked_codec.h"
+#include "lcmtypes/validate.h"
+#include "services/common/bus_url.h"
+#include "services/common/channels.h"
+#include "services/common/run_main.h"
+
+namespace prospect::services {
+
+/// The bus cannot be opened or subscribed to. The message says what to do; the exit status is kExitBus.
+class BusError : public ExitError {
+ public:
+  explicit BusError(const std::string& message) : ExitError(kExitBus, message) {}
+};
+
+/// A message as it came, copied out of LCM.
+struct RawMessage {
+  std::string channel;
+  std::int64_t received_utime;  ///< when this host received it, microseconds since the epoch
+  std::vector<std::uint8_t> bytes;
+};
+
+/// What became of the messages of one channel since the bus was opened.
+struct ChannelCounters {
+  std::int64_t received = 0;                    ///< decoded, valid, handed on
+  std::map<std::string, std::int64_t> refused;  ///< by reason: "fingerprint", "truncated", "length", "trailing", "value ..."
+};
+
+/// One LCM connection, made safe. Messages are subscribed to raw: LCM's handler only copies the bytes; Poll() then checks the
+/// fingerprint, walks the lengths, decodes, validates and calls the handlers on the caller's thread, with no C frame below. So a
+/// handler may throw (Poll passes it on), publish, subscribe, and take its time, though what arrives meanwhile waits in LCM's queue
+/// and is dropped beyond the channel's capacity. Nothing unchecked ever reaches a handler; what is refused is counted by channel and
+/// reason. A process also hears its own messages.
+///
+/// Threads: a Bus belongs to one thread, but for Wake() and PublishRaw(), which any thread may call. One Bus a process (two with a
+/// bus of its own for inference).
+class Bus {
+ public:
+  /// Opens the bus and proves that it carries: no route or a dead loopback is found out here and not later.
+  /// @param url as ResolveBusUrl takes it; empty for the environment's or the default
+  /// @throws BusError saying what to do
+  explicit Bus(const std::string& url = "");
+  ~Bus();
+  Bus(const Bus&) = delete;
+  Bus& operator=(const Bus&) = delete;
+
+  /// The URL in use, resolved.
+  const std::string& url() const { return url_; }
+
+  /// Calls `handler` from Poll() for each valid message of `channel`. The name is taken literally, not as a regular expression. Several
+  /// handlers on one channel are called in order of subscription. A subscription lasts as long as the bus.
+  /// @throws BusError when LCM refuses; std::logic_error when the channel was subscribed to with another type
+  template <class T>
+  void Subscribe(const std::string& channel, std::function<void(const T&)> handler);
+
+  /// The same on T's own channel.
+  template <class T>
+  void Subscribe(std::function<void(const T&)> handler) {
+    Subscribe<T>(ChannelOf<T>(), std::move(handler));
+  }
+
+  /// Calls `handler` from Poll() for each message on any channel, unchecked: for tools that list traffic. @throws BusError
+  void SubscribeAll(std::function<void(const RawMessage&)> handler);
+
+  /// Sends a message. @return false when LCM could not send it (too large, no route any more); true says nothing about arrival.
+  /// @throws messages::EncodeError when a count differs from its array's size: a fault of the caller
+  template <class T>
+  bool Publish(const std::string& channel, const T& message) {
+    return PublishRaw(channel, messages::CheckedEncode(message));
+  }
+
+  /// The same on T's own channel.
+  template <class T>
+  bool Publish(const T& message) {
+    return Publish<T>(ChannelOf<T>(), message);
+  }
+
+  /// Sends bytes as they are. Safe from any thread. @return false when LCM could not send them.
+  bool PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes);
+
+  /// Waits until a message arrives, Wake() is called, a signal comes or `timeout_ms` passes, then hands on what has arrived, at most
+  /// kMaxPerPoll messages. @param timeout_ms 0 does not wait, negative waits for ever
+  /// @return number of messages handed on or refused
+  int Poll(int timeout_ms);
+
+  /// Ends a Poll() that waits, or makes the next one return at once: for a thread that has results for the loop. Safe from any thread.
+  void Wake();
+
+  /// Counters by channel, for HEALTH and tests.
+  const std::map<std::string, ChannelCounters>& counters() const { return counters_; }
+  /// Sum over channels of messages handed on.
+  std::int64_t received() const;
+  /// Sum over channels and reasons of messages refused.
+  std::int64_t refused() const;
+  /// Counts a message that the caller's own rules refuse ("unknown action"), so that it shows in HEALTH like the others.
+  void CountRefused(const std::string& channel, const std::string& reason);
+
+  /// Bound on the messages that one Poll() hands on, so that a flood cannot keep the loop from its other duties.
+  static constexpr int kMaxPerPoll = 512;
+
+ private:
+  // A channel's handlers with their type forgotten: decodes once for all of them.
+  struct Hub {
+    virtual ~Hub() = default;
+    virtual std::string Take(const RawMessage& message) = 0;  // reason of refusal, or empty
+  };
+  template <class T>
+  struct TypedHub;
+  struct Connection;  // LCM itself, out of sight of those who include this header
+
+  void Open(const std::string& channel, int queue_capacity);
+  void Dispatch(const RawMessage& message);
+
+  std::string url_;
+  std::map<std::string, std::unique_ptr<Hub>> hubs_;
+  std::vector<std::function<void(const RawMessage&)>> raw_handlers_;
+  std::map<std::string, ChannelCounters> counters_;
+  std::unique_ptr<Connection> connection_;
+};
+
+template <class T>
+struct Bus::TypedHub : Bus::Hub {
+  std::vector<std::function<void(const T&)>> handlers;
+
+  std::string Take(const RawMessage& message) override {
+    const messages::DecodeResult<T> result =
+        messages::CheckedDecode<T>(message.bytes.data(), message.bytes.size());
+    if (!result.ok()) return result.reason;
+    const std::string reason = messages::Validate(result.value);
+    if (!reason.empty()) return reason;
+    // By index: a handler may subscribe again and so move the vector.
+    for (std::size_t i = 0; i < handlers.size(); ++i) {
+      const std::function<void(const T&)> handler = handlers[i];
+      handler(result.value);
+    }
+    return "";
+  }
+};
+
+template <class T>
+void Bus::Subscribe(const std::string& channel, std::function<void(const T&)> handler) {
+  std::unique_ptr<Hub>& hub = hubs_[channel];
+  if (!hub) {
+    const ChannelInfo* info = FindChannel(channel);
+    hub = std::make_unique<TypedHub<T>>();
+    Open(channel, info ? info->queue_capacity : 64);
+  }
+  auto* typed = dynamic_cast<TypedHub<T>*>(hub.get());
+  if (!typed) throw std::logic_error("channel " + channel + " carries another message type");
+  typed->handlers.push_back(std::move(handler));
+}
+
+}  // namespace prospect::services

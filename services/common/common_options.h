@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace prospect::services {
+
+/// The options that every process on the bus has. A program adds its own to the same CLI::App.
+struct CommonOptions {
+  std::string bus;           ///< --bus URL; empty: LCM_DEFAULT_URL, then the default
+  std::string log_level = "info";  ///< --log-level, PROSPECT_LOG_LEVEL
+  std::int64_t deployment = 0;     ///< --deployment, PROSPECT_DEPLOYMENT; 0: joins whatever is on the bus
+};
+
+/// Adds --bus, --log-level and --deployment. `options` must outlive the parsing.
+void AddCommonOptions(CLI::App& app, CommonOptions& options);
+
+/// Call after parsing: sets up the log, takes over the deployment id, installs the stop signals.
+/// @param component the program's short name, for the log
+void ApplyCommonOptions(const CommonOptions& options, const std::string& component);
+
+}  // namespace prospect::services

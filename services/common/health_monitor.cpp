@@ -1,0 +1,73 @@
+#include "services/common/health_monitor.h"
+
+#include "services/common/clock.h"
+#include "services/common/ids.h"
+
+namespace prospect::services {
+namespace {
+
+bool IsFresh(const HealthMonitor::Peer& peer, std::int64_t now_ms) {
+  return peer.health.state != health_t::STATE_DRAINING && now_ms - peer.heard_ms < HealthMonitor::kDeadMs;
+}
+
+}  // namespace
+
+HealthMonitor::HealthMonitor(Bus& bus) : bus_(bus) {
+  bus.Subscribe<health_t>([this](const health_t& health) {
+    const std::int64_t now_ms = SteadyMs();
+    // A bus lives longer than most processes on it: those long dead are forgotten.
+    constexpr std::int64_t kForgetMs = 60000;
+    for (auto peer = peers_.begin(); peer != peers_.end();) {
+      peer = now_ms - peer->second.heard_ms > kForgetMs ? peers_.erase(peer) : std::next(peer);
+    }
+    peers_[health.instance_id] = {health, now_ms};
+  });
+}
+
+bool HealthMonitor::IsForeign(const health_t& health) {
+  const std::int64_t own = DeploymentId();
+  return own != 0 && health.deployment_id != own;
+}
+
+std::vector<HealthMonitor::Peer> HealthMonitor::Alive(const std::string& service) const {
+  std::vector<Peer> alive;
+  const std::int64_t now_ms = SteadyMs();
+  for (const auto& [id, peer] : peers_) {
+    if (!IsFresh(peer, now_ms) || IsForeign(peer.health)) continue;
+    if (service.empty() || peer.health.service == service) alive.push_back(peer);
+  }
+  return alive;
+}
+
+bool HealthMonitor::IsAlive(std::int64_t instance_id) const {
+  const Peer* peer = Find(instance_id);
+  return peer && IsFresh(*peer, SteadyMs());
+}
+
+const HealthMonitor::Peer* HealthMonitor::Find(std::int64_t instance_id) const {
+  const auto found = peers_.find(instance_id);
+  return found == peers_.end() ? nullptr : &found->second;
+}
+
+std::optional<HealthMonitor::Peer> HealthMonitor::Foreign() const {
+  const std::int64_t now_ms = SteadyMs();
+  for (const auto& [id, peer] : peers_) {
+    if (IsFresh(peer, now_ms) && IsForeign(peer.health)) return peer;
+  }
+  return std::nullopt;
+}
+
+void HealthMonitor::RequireOwnBus(std::int64_t listen_ms) {
+  const std::int64_t end_ms = SteadyMs() + listen_ms;
+  for (std::int64_t now_ms = SteadyMs(); now_ms < end_ms; now_ms = SteadyMs()) {
+    bus_.Poll(static_cast<int>(end_ms - now_ms));
+    const std::optional<Peer> foreign = Foreign();
+    if (!foreign) continue;
+    throw ExitError(kExitBusInUse,
+                    "the bus " + bus_.url() + " is in use by another deployment (" + foreign->health.service +
+                        ", pid " + std::to_string(foreign->health.pid) + " on " + foreign->health.host +
+                        "): stop it, or use another port, such as --bus udpm://239.255.76.67:7668?ttl=0");
+  }
+}
+
+}  // namespace prospect::services
