@@ -1,0 +1,133 @@
+#include "sim/oracle_cache.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace prospect::sim {
+namespace {
+
+using nlohmann::json;
+
+std::string DefaultDirectory() {
+  if (const char* data = std::getenv("PROSPECT_DATA"); data != nullptr && *data != '\0') {
+    return std::string(data) + "/oracle";
+  }
+  const char* home = std::getenv("HOME");
+  return std::string(home != nullptr && *home != '\0' ? home : "/tmp") + "/.cache/prospect/oracle";
+}
+
+// Plans as digits: tasks have far fewer than 64 actions that the oracle could exhaust.
+char Digit(int value) { return static_cast<char>('0' + value); }
+
+std::string Encode(const std::vector<int>& plan) {
+  std::string text;
+  for (int action : plan) text += Digit(action);
+  return text;
+}
+
+std::vector<int> Decode(const std::string& text) {
+  std::vector<int> plan;
+  for (char c : text) plan.push_back(c - '0');
+  return plan;
+}
+
+json ToJson(std::uint64_t seed, const OracleResult& result) {
+  std::string plans;
+  for (const PlanCount& plan : result.plans) {
+    plans += (plans.empty() ? "" : " ") + Encode(plan.plan) + ":" + std::to_string(plan.successes);
+  }
+  return {{"seed", seed},
+          {"class", ToString(result.scene_class)},
+          {"rounds", result.rounds},
+          {"plans", plans},
+          {"best", Encode(result.best_plan)},
+          {"best_runs", result.best_runs},
+          {"best_successes", result.best_successes},
+          {"failures", result.failures}};
+}
+
+OracleResult FromJson(const json& line) {
+  OracleResult result;
+  result.scene_class = SceneClassFromString(line.at("class"));
+  result.rounds = line.at("rounds");
+  result.best_plan = Decode(line.at("best"));
+  result.best_runs = line.at("best_runs");
+  result.best_successes = line.at("best_successes");
+  result.failures = line.at("failures").get<std::map<std::string, int>>();
+  std::istringstream plans(line.at("plans").get<std::string>());
+  std::string entry;
+  while (plans >> entry) {
+    const std::size_t colon = entry.find(':');
+    result.plans.push_back({Decode(entry.substr(0, colon)), std::stoi(entry.substr(colon + 1))});
+  }
+  return result;
+}
+
+// One write a line: lines of several processes do not mix.
+void AppendLine(const std::string& path, const std::string& line) {
+  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) throw std::runtime_error("cannot write the oracle's cache " + path);
+  const ssize_t written = write(file, line.data(), line.size());
+  close(file);
+  if (written != static_cast<ssize_t>(line.size())) {
+    throw std::runtime_error("cannot write the oracle's cache " + path + ": is the disk full?");
+  }
+}
+
+}  // namespace
+
+OracleCache::OracleCache(OracleKey key, std::string directory) {
+  if (directory.empty()) directory = DefaultDirectory();
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    throw std::runtime_error("cannot make " + directory + " for the oracle's cache (" +
+                             error.message() + "): set PROSPECT_DATA to a folder you may write to");
+  }
+  path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
+          std::to_string(key.objects) + "-legs" + std::to_string(key.legs) + ".jsonl";
+  Load();
+}
+
+void OracleCache::Load() {
+  std::ifstream file(path_);
+  std::string text;
+  while (std::getline(file, text)) {
+    try {
+      const json line = json::parse(text);
+      results_[line.at("seed")] = FromJson(line);
+    } catch (const std::exception&) {
+      continue;  // a line cut short by a killed writer: its scene is consulted again
+    }
+  }
+}
+
+std::optional<OracleResult> OracleCache::Find(std::uint64_t scene_seed) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = results_.find(scene_seed);
+  if (found == results_.end()) return std::nullopt;
+  return found->second;
+}
+
+void OracleCache::Store(std::uint64_t scene_seed, const OracleResult& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  AppendLine(path_, ToJson(scene_seed, result).dump() + "\n");
+  results_[scene_seed] = result;
+}
+
+OracleResult ConsultOracleCached(Task& task, std::uint64_t scene_seed, OracleCache& cache) {
+  task.Reset(scene_seed);
+  if (const std::optional<OracleResult> known = cache.Find(scene_seed)) return *known;
+  const OracleResult result = ConsultOracle(task, scene_seed);
+  cache.Store(scene_seed, result);
+  return result;
+}
+
+}  // namespace prospect::sim
