@@ -1,0 +1,49 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace prospect::model {
+
+/// Reads named fields of one JSON object into variables and refuses names it was not asked for, so that a
+/// misspelt option is an error and not a default.
+class JsonFields {
+ public:
+  /// `where` names the object in messages, e.g. "network".
+  JsonFields(const nlohmann::json& object, std::string where)
+      : object_(object), where_(std::move(where)) {
+    if (!object.is_object()) throw std::invalid_argument(where_ + ": must be a JSON object");
+  }
+
+  /// Sets `*value` if the key is there. Throws std::invalid_argument on a wrong type.
+  template <typename T>
+  JsonFields& Read(const std::string& key, T* value) {
+    known_.push_back(key);
+    const auto found = object_.find(key);
+    if (found == object_.end()) return *this;
+    try {
+      *value = found->get<T>();
+    } catch (const nlohmann::json::exception&) {
+      throw std::invalid_argument(where_ + "." + key + ": has the wrong type");
+    }
+    return *this;
+  }
+
+  /// Throws std::invalid_argument if the object has a key that no Read asked for.
+  void RefuseOthers() const {
+    for (const auto& item : object_.items()) {
+      bool found = false;
+      for (const std::string& key : known_) found = found || key == item.key();
+      if (!found) throw std::invalid_argument(where_ + "." + item.key() + ": is not an option");
+    }
+  }
+
+ private:
+  const nlohmann::json& object_;
+  std::string where_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace prospect::model

@@ -1,0 +1,66 @@
+#include "model/network_config.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "model/json_fields.h"
+
+namespace prospect::model {
+namespace {
+
+void Require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("network.") + what);
+}
+
+bool IsShare(double value) { return value >= 0.0 && value < 1.0; }
+
+}  // namespace
+
+void Validate(const NetworkConfig& c) {
+  Require(c.image_width >= 16 && c.image_width <= 1024 && c.image_width % 16 == 0,
+          "image_width: must be a multiple of 16 up to 1024");
+  Require(c.image_height >= 16 && c.image_height <= 1024 && c.image_height % 16 == 0,
+          "image_height: must be a multiple of 16 up to 1024");
+  Require(c.hidden_channels >= 1 && c.hidden_channels <= 256, "hidden_channels: must be 1 to 256");
+  Require(c.num_actions >= 1 && c.num_actions <= 254, "num_actions: must be 1 to 254");
+  Require(IsShare(c.dropout) && IsShare(c.head_dropout), "dropout: must be at least 0, below 1");
+  Require(c.activation == "relu" || c.activation == "leaky_relu",
+          "activation: must be relu or leaky_relu");
+  Require(c.heads == "paper" || c.heads == "costar", "heads: must be paper or costar");
+  Require(c.transform_extra_stages >= 0 && c.transform_extra_stages <= 3,
+          "transform_extra_stages: must be 0 to 3");
+  const int divisor = 2 << c.transform_extra_stages;
+  Require(c.hidden_width() % divisor == 0 && c.hidden_height() % divisor == 0,
+          "transform_extra_stages: the hidden grid cannot be halved that often");
+}
+
+void to_json(nlohmann::json& json, const NetworkConfig& c) {
+  json = {{"image_width", c.image_width},
+          {"image_height", c.image_height},
+          {"hidden_channels", c.hidden_channels},
+          {"num_actions", c.num_actions},
+          {"dropout", c.dropout},
+          {"head_dropout", c.head_dropout},
+          {"activation", c.activation},
+          {"heads", c.heads},
+          {"skip", c.skip},
+          {"transform_extra_stages", c.transform_extra_stages}};
+}
+
+void from_json(const nlohmann::json& json, NetworkConfig& c) {
+  JsonFields(json, "network")
+      .Read("image_width", &c.image_width)
+      .Read("image_height", &c.image_height)
+      .Read("hidden_channels", &c.hidden_channels)
+      .Read("num_actions", &c.num_actions)
+      .Read("dropout", &c.dropout)
+      .Read("head_dropout", &c.head_dropout)
+      .Read("activation", &c.activation)
+      .Read("heads", &c.heads)
+      .Read("skip", &c.skip)
+      .Read("transform_extra_stages", &c.transform_extra_stages)
+      .RefuseOthers();
+  Validate(c);
+}
+
+}  // namespace prospect::model

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/network_config.h"
+#include "model/networks/action_head.h"
+#include "model/networks/classifier.h"
+#include "model/networks/decoder.h"
+#include "model/networks/encoder.h"
+#include "model/networks/transform.h"
+#include "model/networks/value_head.h"
+
+namespace prospect::model {
+
+/// All networks of one task. Copying shares the modules. Threads as libtorch's modules.
+struct Networks {
+  explicit Networks(const NetworkConfig& config);
+
+  NetworkConfig config;
+  Encoder encoder;
+  Decoder decoder;
+  Transform transform;
+  ValueHead value;
+  ActionHead q, p, f;
+  Classifier classifier;         ///< C: in the loss and in the label accuracy
+  Classifier second_classifier;  ///< of another seed, in no loss: reads the label accuracy
+
+  /// Every network with the prefix its tensors have in a weights file, e.g. {"encoder", ...}.
+  std::vector<std::pair<std::string, torch::nn::Module*>> named() const;
+  void SetTraining(bool on) const;
+  void To(const torch::Device& device) const;
+};
+
+/// Number of learned values in a module.
+int64_t ParameterCount(const torch::nn::Module& module);
+
+}  // namespace prospect::model
