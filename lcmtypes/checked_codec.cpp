@@ -21,7 +21,8 @@ class Walker {
   }
 
   bool WalkStruct(const TypeSchema& type) {
-    // Values of the counts met so far, by field. A field that counts no array costs nothing to keep.
+    // Values of the counts met so far, by field. A field that counts no array costs nothing to
+    // keep.
     std::array<std::int32_t, kMaxFields> counts;
     for (std::size_t i = 0; i < type.fields.size(); ++i) {
       const FieldSchema& field = type.fields[i];
@@ -48,7 +49,8 @@ class Walker {
     return Skip(4);
   }
 
-  // Comparing with the least an element takes bounds both the time below and what the decoder will allocate.
+  // Comparing with the least an element takes bounds both the time below and what the decoder will
+  // allocate.
   bool WalkField(const FieldSchema& field, std::int32_t count) {
     const bool array = field.count_field >= 0;
     if (array && (count < 0 || static_cast<std::size_t>(count) > left_ / field.min_bytes)) {
@@ -64,7 +66,8 @@ class Walker {
   }
 
   bool WalkElement(const FieldSchema& field) {
-    return field.kind == FieldKind::kString ? WalkString() : WalkStruct(Schema()[field.struct_index]);
+    return field.kind == FieldKind::kString ? WalkString()
+                                            : WalkStruct(Schema()[field.struct_index]);
   }
 
   // The length on the wire includes the closing zero.

@@ -9,29 +9,33 @@
 #include "lcmtypes/fields.h"
 #include "lcmtypes/schema.h"
 
-/// The only way bytes become messages here, and back. LCM 1.3.1's generated decoders trust what they read: a negative count throws, a
-/// huge one allocates gigabytes first; its encoders read past a vector that is shorter than its count. So bytes are walked by the schema
-/// before the generated decoder sees them, and counts are compared with sizes before the generated encoder runs. Everything here is
-/// thread-safe and keeps no state.
+/// The only way bytes become messages here, and back. LCM 1.3.1's generated decoders trust what
+/// they read: a negative count throws, a huge one allocates gigabytes first; its encoders read past
+/// a vector that is shorter than its count. So bytes are walked by the schema before the generated
+/// decoder sees them, and counts are compared with sizes before the generated encoder runs.
+/// Everything here is thread-safe and keeps no state.
 namespace prospect::messages {
 
 /// A decoded message, or the reason why there is none.
 template <class T>
 struct DecodeResult {
   T value{};
-  /// Null when decoded. Otherwise "fingerprint" (not this type), "truncated" (ends inside a field), "length" (a count or string length that is
-  /// negative or exceeds the bytes left, a string without its zero), "trailing" (bytes left over), or "decoder" (the generated decoder
-  /// disagrees with the schema).
+  /// Null when decoded. Otherwise "fingerprint" (not this type), "truncated" (ends inside a field),
+  /// "length" (a count or string length that is negative or exceeds the bytes left, a string
+  /// without its zero), "trailing" (bytes left over), or "decoder" (the generated decoder disagrees
+  /// with the schema).
   const char* reason = nullptr;
 
   bool ok() const { return reason == nullptr; }
 };
 
-/// Whether `size` bytes at `data` are one whole message of `type`, fingerprint included. Allocates nothing and reads each byte at most
-/// once. @return null when they are, else the reason as in DecodeResult
+/// Whether `size` bytes at `data` are one whole message of `type`, fingerprint included. Allocates
+/// nothing and reads each byte at most once. @return null when they are, else the reason as in
+/// DecodeResult
 const char* WalkMessage(const TypeSchema& type, const void* data, std::size_t size);
 
-/// Decodes one message after walking it. Never throws for bad bytes, and allocates no more than a small multiple of `size`.
+/// Decodes one message after walking it. Never throws for bad bytes, and allocates no more than a
+/// small multiple of `size`.
 /// @param data may be null when size is 0
 template <class T>
 DecodeResult<T> CheckedDecode(const void* data, std::size_t size) {
@@ -59,7 +63,8 @@ class EncodeError : public std::runtime_error {
 template <class T>
 void SetCounts(T& message);
 
-/// Compares every count with its arrays' sizes. @throws EncodeError naming type and field when one differs
+/// Compares every count with its arrays' sizes. @throws EncodeError naming type and field when one
+/// differs
 template <class T>
 void RequireCounts(const T& message);
 

@@ -5,11 +5,13 @@
 
 #include "lcmtypes/checked_codec.h"
 
-/// How SetCounts and RequireCounts walk a message. Included by checked_codec.h; nobody else needs it.
+/// How SetCounts and RequireCounts walk a message. Included by checked_codec.h; nobody else needs
+/// it.
 namespace prospect::messages {
 namespace internal {
 
-[[noreturn]] inline void ThrowCount(const char* type, const char* field, long count, std::size_t size) {
+[[noreturn]] inline void ThrowCount(const char* type, const char* field, long count,
+                                    std::size_t size) {
   throw EncodeError(std::string(type) + "." + field + " holds " + std::to_string(size) +
                     " elements but its count says " + std::to_string(count) +
                     ": call SetCounts() after filling arrays");

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-/// The message types as a table, made from the .lcm files at build time by schema_gen. With it code can walk bytes, list channels and
-/// fill messages at random without being written once per type. Immutable after start; thread-safe.
+/// The message types as a table, made from the .lcm files at build time by schema_gen. With it code
+/// can walk bytes, list channels and fill messages at random without being written once per type.
+/// Immutable after start; thread-safe.
 namespace prospect::messages {
 
 enum class FieldKind : std::uint8_t {
@@ -46,7 +47,7 @@ struct TypeSchema {
   std::int64_t fingerprint;  ///< first eight bytes of an encoded message
   std::vector<FieldSchema> fields;
   std::vector<ConstantSchema> constants;
-  int min_bytes;             ///< least bytes on the wire, without the fingerprint
+  int min_bytes;  ///< least bytes on the wire, without the fingerprint
 };
 
 /// All types, by name in alphabetical order.

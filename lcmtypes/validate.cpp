@@ -35,7 +35,8 @@ void CheckTable(const task_t& message, ValueCheck& check) {
     const action_t& action = message.actions[i];
     check.That(action.index == i, "actions: index out of order")
         .That(!action.name.empty(), "actions: empty name")
-        .That(AreIndices(action.successors, message.num_actions), "actions: successor out of table");
+        .That(AreIndices(action.successors, message.num_actions),
+              "actions: successor out of table");
   }
 }
 
@@ -51,8 +52,9 @@ void CheckStep(const plan_step_t& step, ValueCheck& check) {
 
 std::string Validate(const action_command_t& message) {
   ValueCheck check;
-  check.That(InRange<int>(message.kind, action_command_t::KIND_START, action_command_t::KIND_CANCEL),
-             "kind: unknown")
+  check
+      .That(InRange<int>(message.kind, action_command_t::KIND_START, action_command_t::KIND_CANCEL),
+            "kind: unknown")
       .That(message.kind == action_command_t::KIND_CANCEL || message.action >= 0,
             "action: none to start")
       .That(InRange(message.action, -1, kMaxActions - 1), "action: out of range");
@@ -81,7 +83,8 @@ std::string Validate(const label_t& message) {
   ValueCheck check;
   check.That(IsCount(message.episode_id) && IsCount(message.frame), "frame: negative")
       .That(InRange(message.action, 0, message.num_present), "action: out of table")
-      .That(InRange(message.previous_action, 0, message.num_present), "previous_action: out of table")
+      .That(InRange(message.previous_action, 0, message.num_present),
+            "previous_action: out of table")
       .That(message.segment >= -1, "segment: below -1")
       .That(IsBoolean(message.segment_end), "segment_end: neither 0 nor 1")
       .That(InRange<int>(message.outcome, 0, label_t::OUTCOME_FAILURE), "outcome: unknown")
@@ -95,7 +98,8 @@ std::string Validate(const observation_t& message) {
   ValueCheck check;
   check.That(IsCount(message.episode_id) && IsCount(message.frame), "frame: negative")
       .That(message.encoding == observation_t::ENCODING_RGB8, "encoding: unknown")
-      .That(IsPicture(message.width, message.height, message.num_bytes), "data: wrong picture size");
+      .That(IsPicture(message.width, message.height, message.num_bytes),
+            "data: wrong picture size");
   return check.Result();
 }
 
@@ -111,8 +115,9 @@ std::string Validate(const plan_t& message) {
 
 std::string Validate(const sim_command_t& message) {
   ValueCheck check;
-  check.That(InRange<int>(message.kind, sim_command_t::KIND_RESET, sim_command_t::KIND_RESUME),
-             "kind: unknown")
+  check
+      .That(InRange<int>(message.kind, sim_command_t::KIND_RESET, sim_command_t::KIND_RESUME),
+            "kind: unknown")
       .That(IsCount(message.seed), "seed: negative")
       .That(InRange(message.objects, 0, kMaxActions), "objects: out of range")
       .That(InRange(message.legs, 0, kMaxPathLength), "legs: out of range");
@@ -129,7 +134,8 @@ std::string Validate(const task_t& message) {
       .That(InRange(message.image_width, 1, kMaxImageSide) &&
                 InRange(message.image_height, 1, kMaxImageSide),
             "image: out of range")
-      .That(std::isfinite(message.tick_seconds) && message.tick_seconds > 0, "tick_seconds: not positive")
+      .That(std::isfinite(message.tick_seconds) && message.tick_seconds > 0,
+            "tick_seconds: not positive")
       .That(std::isfinite(message.action_time_limit) && message.action_time_limit > 0,
             "action_time_limit: not positive");
   CheckTable(message, check);

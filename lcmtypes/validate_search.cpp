@@ -12,15 +12,18 @@ constexpr double kFixedOne = 4294967296.0;  // 1 in W's fixed point
 constexpr int kMaxStatus = expand_reply_t::STATUS_REFUSED;
 
 bool AreFinite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value); });
 }
 
 bool AreFinite(const std::vector<float>& values) {
-  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+  return std::all_of(values.begin(), values.end(),
+                     [](float value) { return std::isfinite(value); });
 }
 
 bool IsAscending(const std::vector<std::uint8_t>& actions) {
-  return std::adjacent_find(actions.begin(), actions.end(), std::greater_equal<>()) == actions.end();
+  return std::adjacent_find(actions.begin(), actions.end(), std::greater_equal<>()) ==
+         actions.end();
 }
 
 void CheckEvaluation(const evaluation_t& evaluation, ValueCheck& check) {
@@ -70,7 +73,8 @@ std::string Validate(const model_info_t& message) {
       .That(std::isfinite(message.queue_age_ms) && std::isfinite(message.batch_ms),
             "batch_ms: not finite")
       .That(IsCount(message.evaluations) && IsCount(message.cache_hits), "evaluations: negative");
-  for (const std::int64_t bin : message.batch_histogram) check.That(IsCount(bin), "batch_histogram: negative");
+  for (const std::int64_t bin : message.batch_histogram)
+    check.That(IsCount(bin), "batch_histogram: negative");
   return check.Result();
 }
 
@@ -96,7 +100,8 @@ std::string Validate(const predict_request_t& message) {
 std::string Validate(const search_image_t& message) {
   ValueCheck check;
   check.That(message.encoding == observation_t::ENCODING_RGB8, "encoding: unknown")
-      .That(IsPicture(message.width, message.height, message.num_bytes), "data: wrong picture size");
+      .That(IsPicture(message.width, message.height, message.num_bytes),
+            "data: wrong picture size");
   return check.Result();
 }
 
@@ -118,8 +123,8 @@ std::string Validate(const search_statistics_t& message) {
   ValueCheck check;
   check.That(IsCount(message.sequence), "sequence: negative")
       .That(IsCount(message.lease_ms), "lease_ms: negative")
-      .That(IsCount(message.rollouts) && IsCount(message.evaluations) && IsCount(message.in_flight) &&
-                IsCount(message.row_count),
+      .That(IsCount(message.rollouts) && IsCount(message.evaluations) &&
+                IsCount(message.in_flight) && IsCount(message.row_count),
             "totals: negative")
       .That(IsBoolean(message.is_final), "is_final: neither 0 nor 1");
   for (const statistics_row_t& row : message.rows) CheckRow(row, check);

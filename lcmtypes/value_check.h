@@ -6,10 +6,12 @@
 
 #include "lcmtypes/messages.h"
 
-/// The vocabulary in which validate*.cpp state what a sound message looks like. Internal to lcmtypes/.
+/// The vocabulary in which validate*.cpp state what a sound message looks like. Internal to
+/// lcmtypes/.
 namespace prospect::messages::internal {
 
-/// Collects the first thing that is wrong. Reasons are literals, so that counters by reason stay few.
+/// Collects the first thing that is wrong. Reasons are literals, so that counters by reason stay
+/// few.
 class ValueCheck {
  public:
   ValueCheck& That(bool ok, const char* reason) {

@@ -15,8 +15,8 @@ void EmitVisit(const Struct& type, const Field& field, std::ostream& out) {
   if (!field.count.empty()) {
     out << "    v.Array(\"" << name << "\", m." << field.count << ", m." << name << ");\n";
   } else {
-    out << "    v." << (IsCount(type, name) ? "Count" : "Value") << "(\"" << name << "\", m." << name
-        << ");\n";
+    out << "    v." << (IsCount(type, name) ? "Count" : "Value") << "(\"" << name << "\", m."
+        << name << ");\n";
   }
 }
 
@@ -34,7 +34,8 @@ void EmitFields(const std::vector<Struct>& types, std::ostream& out) {
   out << "#pragma once\n// Made by schema_gen from the .lcm files.\n\n"
          "#include \"lcmtypes/all_types.h\"\n\n"
          "namespace prospect::messages {\n\n"
-         "// Fields<T>::Visit(message, visitor) calls visitor.Value(name, field) for plain fields, .Count(name, n) for\n"
+         "// Fields<T>::Visit(message, visitor) calls visitor.Value(name, field) for plain fields, "
+         ".Count(name, n) for\n"
          "// counts and .Array(name, n, vector) for arrays, in wire order.\n"
          "template <class T>\nstruct Fields {\n  static constexpr bool kIsMessage = false;\n};\n";
   for (const Struct& type : types) {

@@ -17,12 +17,14 @@ void EmitConstants(const Struct& type, std::ostream& out) {
   if (type.constants.empty()) return;
   out << "\n| constant | value | meaning |\n|---|---|---|\n";
   for (const Constant& constant : type.constants) {
-    out << "| `" << constant.name << "` | " << constant.value << " | " << Cell(constant.comment) << " |\n";
+    out << "| `" << constant.name << "` | " << constant.value << " | " << Cell(constant.comment)
+        << " |\n";
   }
 }
 
 void EmitType(const Struct& type, std::ostream& out) {
-  out << "\n## " << type.name << "\n\n" << type.comment << "\n\n| field | type | meaning |\n|---|---|---|\n";
+  out << "\n## " << type.name << "\n\n"
+      << type.comment << "\n\n| field | type | meaning |\n|---|---|---|\n";
   for (const Field& field : type.fields) {
     out << "| `" << field.name << "` | `" << field.type;
     if (!field.count.empty()) out << "[" << field.count << "]";
@@ -34,7 +36,8 @@ void EmitType(const Struct& type, std::ostream& out) {
 }  // namespace
 
 void EmitMarkdown(const std::vector<Struct>& types, std::ostream& out) {
-  out << "# Messages\n\nMade from `lcmtypes/*.lcm`; change those, not this page. Package `prospect`; numbers are big-endian on the wire, as LCM "
+  out << "# Messages\n\nMade from `lcmtypes/*.lcm`; change those, not this page. Package "
+         "`prospect`; numbers are big-endian on the wire, as LCM "
          "sends them.\n\n";
   for (const Struct& type : types) out << "- [" << type.name << "](#" << type.name << ")\n";
   for (const Struct& type : types) EmitType(type, out);

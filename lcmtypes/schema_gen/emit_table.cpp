@@ -14,9 +14,9 @@ struct Primitive {
 
 const std::map<std::string, Primitive>& Primitives() {
   static const std::map<std::string, Primitive> kTable = {
-      {"byte", {"kByte", 1}},    {"boolean", {"kBoolean", 1}}, {"int8_t", {"kInt8", 1}},
+      {"byte", {"kByte", 1}},     {"boolean", {"kBoolean", 1}}, {"int8_t", {"kInt8", 1}},
       {"int16_t", {"kInt16", 2}}, {"int32_t", {"kInt32", 4}},   {"int64_t", {"kInt64", 8}},
-      {"float", {"kFloat", 4}},  {"double", {"kDouble", 8}},   {"string", {"kString", 5}}};
+      {"float", {"kFloat", 4}},   {"double", {"kDouble", 8}},   {"string", {"kString", 5}}};
   return kTable;
 }
 
@@ -59,8 +59,8 @@ int CountIndex(const Struct& type, const std::string& count) {
 
 void EmitField(const Types& all, const Struct& type, const Field& field, std::ostream& out) {
   const bool primitive = IsPrimitive(field.type);
-  out << "      {\"" << field.name << "\", FieldKind::"
-      << (primitive ? Primitives().at(field.type).kind : "kStruct") << ", "
+  out << "      {\"" << field.name
+      << "\", FieldKind::" << (primitive ? Primitives().at(field.type).kind : "kStruct") << ", "
       << (primitive ? -1 : all.IndexOf(field.type)) << ", " << CountIndex(type, field.count) << ", "
       << all.MinBytes(field.type) << "},\n";
 }

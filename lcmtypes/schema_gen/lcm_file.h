@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
-/// What a .lcm file says, comments included. Read by a small line parser that takes the subset of the language that our types use (one struct
-/// a file, one field a line, arrays of one dimension counted by an earlier int32_t field) and refuses the rest by file and line.
+/// What a .lcm file says, comments included. Read by a small line parser that takes the subset of
+/// the language that our types use (one struct a file, one field a line, arrays of one dimension
+/// counted by an earlier int32_t field) and refuses the rest by file and line.
 namespace prospect::schema_gen {
 
 struct Field {
-  std::string type;     ///< as written: "int32_t", "path_t", ...
+  std::string type;  ///< as written: "int32_t", "path_t", ...
   std::string name;
   std::string count;    ///< name of the field that counts this array; empty: no array
   std::string comment;  ///< without slashes, lines joined

@@ -36,13 +36,15 @@ struct Bus::Connection {
     if (wake_fd >= 0) close(wake_fd);
   }
 
-  // Called by LCM from inside lcm_handle: copies, enqueues, returns. No exception may pass through LCM's C frames, and a
-  // copy can only fail for want of memory, which is told once we are out of them.
+  // Called by LCM from inside lcm_handle: copies, enqueues, returns. No exception may pass through
+  // LCM's C frames, and a copy can only fail for want of memory, which is told once we are out of
+  // them.
   static void OnMessage(const lcm_recv_buf_t* buffer, const char* channel, void* self) noexcept {
     auto* connection = static_cast<Connection*>(self);
     try {
       const auto* data = static_cast<const std::uint8_t*>(buffer->data);
-      connection->arrived.push_back({channel, buffer->recv_utime, {data, data + buffer->data_size}});
+      connection->arrived.push_back(
+          {channel, buffer->recv_utime, {data, data + buffer->data_size}});
     } catch (const std::exception&) {
       connection->out_of_memory = true;
     }
@@ -76,7 +78,8 @@ Bus::Bus(const std::string& url)
     : url_(ResolveBusUrl(url)), connection_(std::make_unique<Connection>()) {
   connection_->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   connection_->lcm = lcm_create(url_.c_str());
-  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes it do so now.
+  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes
+  // it do so now.
   if (!connection_->lcm || !connection_->Subscribe("PROSPECT_SELF_TEST", 1)) {
     throw BusError(BusAdvice(url_));
   }
@@ -94,9 +97,12 @@ void Bus::Open(const std::string& channel, int queue_capacity) {
 
 void Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
   constexpr int kEverything = 8192;
-  // One pattern for all channels: it also brings those of Subscribe(), so a tool uses one or the other.
-  if (!hubs_.empty()) throw std::logic_error("SubscribeAll() and Subscribe() exclude each other on one Bus");
-  if (raw_handlers_.empty() && !connection_->Subscribe(".*", kEverything)) throw BusError(BusAdvice(url_));
+  // One pattern for all channels: it also brings those of Subscribe(), so a tool uses one or the
+  // other.
+  if (!hubs_.empty())
+    throw std::logic_error("SubscribeAll() and Subscribe() exclude each other on one Bus");
+  if (raw_handlers_.empty() && !connection_->Subscribe(".*", kEverything))
+    throw BusError(BusAdvice(url_));
   raw_handlers_.push_back(std::move(handler));
 }
 

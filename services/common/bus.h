@@ -15,7 +15,8 @@
 
 namespace prospect::services {
 
-/// The bus cannot be opened or subscribed to. The message says what to do; the exit status is kExitBus.
+/// The bus cannot be opened or subscribed to. The message says what to do; the exit status is
+/// kExitBus.
 class BusError : public ExitError {
  public:
   explicit BusError(const std::string& message) : ExitError(kExitBus, message) {}
@@ -30,21 +31,24 @@ struct RawMessage {
 
 /// What became of the messages of one channel since the bus was opened.
 struct ChannelCounters {
-  std::int64_t received = 0;                    ///< decoded, valid, handed on
-  std::map<std::string, std::int64_t> refused;  ///< by reason: "fingerprint", "truncated", "length", "trailing", "value ..."
+  std::int64_t received = 0;  ///< decoded, valid, handed on
+  std::map<std::string, std::int64_t>
+      refused;  ///< by reason: "fingerprint", "truncated", "length", "trailing", "value ..."
 };
 
-/// One LCM connection, made safe. Messages are subscribed to raw: LCM's handler only copies the bytes; Poll() then checks the
-/// fingerprint, walks the lengths, decodes, validates and calls the handlers on the caller's thread, with no C frame below. So a
-/// handler may throw (Poll passes it on), publish, subscribe, and take its time, though what arrives meanwhile waits in LCM's queue
-/// and is dropped beyond the channel's capacity. Nothing unchecked ever reaches a handler; what is refused is counted by channel and
-/// reason. A process also hears its own messages.
+/// One LCM connection, made safe. Messages are subscribed to raw: LCM's handler only copies the
+/// bytes; Poll() then checks the fingerprint, walks the lengths, decodes, validates and calls the
+/// handlers on the caller's thread, with no C frame below. So a handler may throw (Poll passes it
+/// on), publish, subscribe, and take its time, though what arrives meanwhile waits in LCM's queue
+/// and is dropped beyond the channel's capacity. Nothing unchecked ever reaches a handler; what is
+/// refused is counted by channel and reason. A process also hears its own messages.
 ///
-/// Threads: a Bus belongs to one thread, but for Wake() and PublishRaw(), which any thread may call. One Bus a process (two with a
-/// bus of its own for inference).
+/// Threads: a Bus belongs to one thread, but for Wake() and PublishRaw(), which any thread may
+/// call. One Bus a process (two with a bus of its own for inference).
 class Bus {
  public:
-  /// Opens the bus and proves that it carries: no route or a dead loopback is found out here and not later.
+  /// Opens the bus and proves that it carries: no route or a dead loopback is found out here and
+  /// not later.
   /// @param url as ResolveBusUrl takes it; empty for the environment's or the default
   /// @throws BusError saying what to do
   explicit Bus(const std::string& url = "");
@@ -55,9 +59,11 @@ class Bus {
   /// The URL in use, resolved.
   const std::string& url() const { return url_; }
 
-  /// Calls `handler` from Poll() for each valid message of `channel`. The name is taken literally, not as a regular expression. Several
-  /// handlers on one channel are called in order of subscription. A subscription lasts as long as the bus.
-  /// @throws BusError when LCM refuses; std::logic_error when the channel was subscribed to with another type
+  /// Calls `handler` from Poll() for each valid message of `channel`. The name is taken literally,
+  /// not as a regular expression. Several handlers on one channel are called in order of
+  /// subscription. A subscription lasts as long as the bus.
+  /// @throws BusError when LCM refuses; std::logic_error when the channel was subscribed to with
+  /// another type
   template <class T>
   void Subscribe(const std::string& channel, std::function<void(const T&)> handler);
 
@@ -67,11 +73,14 @@ class Bus {
     Subscribe<T>(ChannelOf<T>(), std::move(handler));
   }
 
-  /// Calls `handler` from Poll() for each message on any channel, unchecked: for tools that list traffic. @throws BusError
+  /// Calls `handler` from Poll() for each message on any channel, unchecked: for tools that list
+  /// traffic. @throws BusError
   void SubscribeAll(std::function<void(const RawMessage&)> handler);
 
-  /// Sends a message. @return false when LCM could not send it (too large, no route any more); true says nothing about arrival.
-  /// @throws messages::EncodeError when a count differs from its array's size: a fault of the caller
+  /// Sends a message. @return false when LCM could not send it (too large, no route any more); true
+  /// says nothing about arrival.
+  /// @throws messages::EncodeError when a count differs from its array's size: a fault of the
+  /// caller
   template <class T>
   bool Publish(const std::string& channel, const T& message) {
     return PublishRaw(channel, messages::CheckedEncode(message));
@@ -86,12 +95,14 @@ class Bus {
   /// Sends bytes as they are. Safe from any thread. @return false when LCM could not send them.
   bool PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes);
 
-  /// Waits until a message arrives, Wake() is called, a signal comes or `timeout_ms` passes, then hands on what has arrived, at most
-  /// kMaxPerPoll messages. @param timeout_ms 0 does not wait, negative waits for ever
+  /// Waits until a message arrives, Wake() is called, a signal comes or `timeout_ms` passes, then
+  /// hands on what has arrived, at most kMaxPerPoll messages. @param timeout_ms 0 does not wait,
+  /// negative waits for ever
   /// @return number of messages handed on or refused
   int Poll(int timeout_ms);
 
-  /// Ends a Poll() that waits, or makes the next one return at once: for a thread that has results for the loop. Safe from any thread.
+  /// Ends a Poll() that waits, or makes the next one return at once: for a thread that has results
+  /// for the loop. Safe from any thread.
   void Wake();
 
   /// Counters by channel, for HEALTH and tests.
@@ -100,10 +111,12 @@ class Bus {
   std::int64_t received() const;
   /// Sum over channels and reasons of messages refused.
   std::int64_t refused() const;
-  /// Counts a message that the caller's own rules refuse ("unknown action"), so that it shows in HEALTH like the others.
+  /// Counts a message that the caller's own rules refuse ("unknown action"), so that it shows in
+  /// HEALTH like the others.
   void CountRefused(const std::string& channel, const std::string& reason);
 
-  /// Bound on the messages that one Poll() hands on, so that a flood cannot keep the loop from its other duties.
+  /// Bound on the messages that one Poll() hands on, so that a flood cannot keep the loop from its
+  /// other duties.
   static constexpr int kMaxPerPoll = 512;
 
  private:

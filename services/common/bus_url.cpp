@@ -44,18 +44,21 @@ std::string ReceiveBufferWarning(const std::string& url) {
   const long limit = ReceiveBufferLimit();
   if (!IsUdp(url) || limit == 0 || wanted <= limit) return "";
   return "the host cuts the bus's receive buffer from " + std::to_string(wanted) + " to " +
-         std::to_string(limit) + " bytes, so bursts may be lost; mend it with: sysctl -w net.core.rmem_max=" +
+         std::to_string(limit) +
+         " bytes, so bursts may be lost; mend it with: sysctl -w net.core.rmem_max=" +
          std::to_string(wanted);
 }
 
 std::string BusAdvice(const std::string& url) {
   if (!IsUdp(url)) {
     return "cannot open the bus '" + url +
-           "': the URL must be like udpm://239.255.76.67:7667?ttl=0 (also tcpq://HOST:PORT, file://LOG)";
+           "': the URL must be like udpm://239.255.76.67:7667?ttl=0 (also tcpq://HOST:PORT, "
+           "file://LOG)";
   }
   return "cannot open the bus '" + url +
          "': most likely there is no multicast route. On one machine, run as root: "
-         "ip link set lo up; ip route add 224.0.0.0/4 dev lo. Otherwise check address and port of the URL (--bus or LCM_DEFAULT_URL)";
+         "ip link set lo up; ip route add 224.0.0.0/4 dev lo. Otherwise check address and port of "
+         "the URL (--bus or LCM_DEFAULT_URL)";
 }
 
 }  // namespace prospect::services

@@ -4,21 +4,25 @@
 
 namespace prospect::services {
 
-/// Loopback only (ttl 0), with a receive buffer that survives bursts: with the system's default 20 back-to-back pictures are already lost.
+/// Loopback only (ttl 0), with a receive buffer that survives bursts: with the system's default 20
+/// back-to-back pictures are already lost.
 inline constexpr char kDefaultBusUrl[] = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
 
-/// The bus to use: `option` (--bus) if not empty, else the environment's LCM_DEFAULT_URL if not empty, else kDefaultBusUrl.
-/// A udpm URL that names no recv_buf_size gets the default's, because LCM's own loses pictures.
+/// The bus to use: `option` (--bus) if not empty, else the environment's LCM_DEFAULT_URL if not
+/// empty, else kDefaultBusUrl. A udpm URL that names no recv_buf_size gets the default's, because
+/// LCM's own loses pictures.
 std::string ResolveBusUrl(const std::string& option);
 
-/// The largest UDP receive buffer this host grants (net.core.rmem_max, bytes), or 0 when it cannot be read.
+/// The largest UDP receive buffer this host grants (net.core.rmem_max, bytes), or 0 when it cannot
+/// be read.
 long ReceiveBufferLimit();
 
-/// What to tell the user about a receive buffer that the host cuts short, with the command that mends it; empty when all is
-/// well or the URL is not udpm.
+/// What to tell the user about a receive buffer that the host cuts short, with the command that
+/// mends it; empty when all is well or the URL is not udpm.
 std::string ReceiveBufferWarning(const std::string& url);
 
-/// What to do when the bus at `url` cannot be opened: names the likely cause and the command that mends it.
+/// What to do when the bus at `url` cannot be opened: names the likely cause and the command that
+/// mends it.
 std::string BusAdvice(const std::string& url);
 
 }  // namespace prospect::services

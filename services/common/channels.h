@@ -7,8 +7,9 @@
 
 namespace prospect::services {
 
-/// The bus in one table: each channel carries one message type. What a subscriber's queue holds between two polls is set here
-/// too, on purpose: LCM keeps 30 by default and then drops the newest.
+/// The bus in one table: each channel carries one message type. What a subscriber's queue holds
+/// between two polls is set here too, on purpose: LCM keeps 30 by default and then drops the
+/// newest.
 struct ChannelInfo {
   const char* name;       ///< as on the bus
   const char* type_name;  ///< as in lcmtypes, such as "observation_t"
@@ -21,7 +22,8 @@ const std::vector<ChannelInfo>& Channels();
 /// The row of a channel, or null for a channel that is not ours.
 const ChannelInfo* FindChannel(const std::string& name);
 
-/// The channel that carries T: `ChannelOf<observation_t>()` is "OBSERVATION". Only types that travel alone have one.
+/// The channel that carries T: `ChannelOf<observation_t>()` is "OBSERVATION". Only types that
+/// travel alone have one.
 template <class T>
 constexpr const char* ChannelOf();
 

@@ -11,9 +11,10 @@ namespace prospect::services {
 
 /// The options that every process on the bus has. A program adds its own to the same CLI::App.
 struct CommonOptions {
-  std::string bus;           ///< --bus URL; empty: LCM_DEFAULT_URL, then the default
+  std::string bus;                 ///< --bus URL; empty: LCM_DEFAULT_URL, then the default
   std::string log_level = "info";  ///< --log-level, PROSPECT_LOG_LEVEL
-  std::int64_t deployment = 0;     ///< --deployment, PROSPECT_DEPLOYMENT; 0: joins whatever is on the bus
+  std::int64_t deployment =
+      0;  ///< --deployment, PROSPECT_DEPLOYMENT; 0: joins whatever is on the bus
 };
 
 /// Adds --bus, --log-level and --deployment. `options` must outlive the parsing.

@@ -2,8 +2,8 @@
 
 namespace prospect::services {
 
-/// What a program's exit status means, the same for every program. A shell script or a robot's supervisor decides by these
-/// numbers, so they never change.
+/// What a program's exit status means, the same for every program. A shell script or a robot's
+/// supervisor decides by these numbers, so they never change.
 enum ExitCode : int {
   kExitSuccess = 0,
   kExitUsage = 2,         ///< wrong options

@@ -9,17 +9,20 @@
 
 namespace prospect::services {
 
-/// Says on HEALTH that this process lives: once a second and on change. Adds the bus's counters of refused messages, memory and
-/// processor time by itself. Call Tick() in each turn of the loop; nothing runs by itself. Belongs to the bus's thread; the bus must outlive it.
+/// Says on HEALTH that this process lives: once a second and on change. Adds the bus's counters of
+/// refused messages, memory and processor time by itself. Call Tick() in each turn of the loop;
+/// nothing runs by itself. Belongs to the bus's thread; the bus must outlive it.
 class HealthBeacon {
  public:
-  /// Starts in STATE_STARTING with a random instance id. @param service "simulator", "model", "worker", "executive"
+  /// Starts in STATE_STARTING with a random instance id. @param service "simulator", "model",
+  /// "worker", "executive"
   HealthBeacon(Bus& bus, std::string service);
 
   /// Random per start; other messages of this process carry it too (server_id, executive_id, ...).
   std::int64_t instance_id() const { return message_.instance_id; }
 
-  /// A STATE_ of health_t, and a note on what is wrong (empty: nothing). A change is published at the next Tick().
+  /// A STATE_ of health_t, and a note on what is wrong (empty: nothing). A change is published at
+  /// the next Tick().
   void SetState(std::int8_t state, const std::string& note = "");
   std::int8_t state() const { return message_.state; }
 

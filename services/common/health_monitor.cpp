@@ -7,7 +7,8 @@ namespace prospect::services {
 namespace {
 
 bool IsFresh(const HealthMonitor::Peer& peer, std::int64_t now_ms) {
-  return peer.health.state != health_t::STATE_DRAINING && now_ms - peer.heard_ms < HealthMonitor::kDeadMs;
+  return peer.health.state != health_t::STATE_DRAINING &&
+         now_ms - peer.heard_ms < HealthMonitor::kDeadMs;
 }
 
 }  // namespace
@@ -63,10 +64,11 @@ void HealthMonitor::RequireOwnBus(std::int64_t listen_ms) {
     bus_.Poll(static_cast<int>(end_ms - now_ms));
     const std::optional<Peer> foreign = Foreign();
     if (!foreign) continue;
-    throw ExitError(kExitBusInUse,
-                    "the bus " + bus_.url() + " is in use by another deployment (" + foreign->health.service +
-                        ", pid " + std::to_string(foreign->health.pid) + " on " + foreign->health.host +
-                        "): stop it, or use another port, such as --bus udpm://239.255.76.67:7668?ttl=0");
+    throw ExitError(
+        kExitBusInUse,
+        "the bus " + bus_.url() + " is in use by another deployment (" + foreign->health.service +
+            ", pid " + std::to_string(foreign->health.pid) + " on " + foreign->health.host +
+            "): stop it, or use another port, such as --bus udpm://239.255.76.67:7668?ttl=0");
   }
 }
 

@@ -23,8 +23,9 @@ std::int64_t ParseDeployment(const std::string& text) {
     if (used == text.size() && value >= 1) return value;
   } catch (const std::exception&) {
   }
-  throw std::runtime_error("PROSPECT_DEPLOYMENT is '" + text +
-                           "': set it to a decimal number from 1 to 9223372036854775807, or unset it");
+  throw std::runtime_error(
+      "PROSPECT_DEPLOYMENT is '" + text +
+      "': set it to a decimal number from 1 to 9223372036854775807, or unset it");
 }
 
 }  // namespace

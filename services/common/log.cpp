@@ -8,11 +8,13 @@
 namespace prospect::services {
 namespace {
 
-// spdlog takes an unknown word for "off", which would hide a typing error together with everything else.
+// spdlog takes an unknown word for "off", which would hide a typing error together with everything
+// else.
 spdlog::level::level_enum ParseLevel(const std::string& level) {
   const auto parsed = spdlog::level::from_str(level);
   if (parsed == spdlog::level::off && level != "off") {
-    throw std::runtime_error("log level '" + level + "' is unknown: use trace, debug, info, warn, error or off");
+    throw std::runtime_error("log level '" + level +
+                             "' is unknown: use trace, debug, info, warn, error or off");
   }
   return parsed;
 }
