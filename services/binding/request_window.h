@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "lcmtypes/messages.h"
+#include "planner/path.h"
+#include "services/binding/server_list.h"
+
+namespace prospect::services {
+
+/// The EXPAND_REQUESTs of one client that await their evaluations. A request that stays unanswered
+/// is sent again after 20, 40, 80, ... ms (never sooner than twice the usual answering time), to
+/// the same server at first and then to the next; servers answer a repeat from memory. A server
+/// that says BUSY is asked again after its hint. Time is an argument (milliseconds of any steady
+/// clock). One thread.
+class RequestWindow {
+ public:
+  static constexpr std::int64_t kFirstTimeoutMs = 20;
+  static constexpr std::int64_t kLongestTimeoutMs = 640;
+
+  /// @param client_id the writer id of a worker, or any random id
+  explicit RequestWindow(std::int64_t client_id) : client_id_(client_id) {}
+
+  /// A new search: forgets what was asked for in the one before.
+  void Begin(const search_root_t& root);
+
+  /// Asks for these paths, one request for each server concerned. Paths already awaited are not
+  /// asked for twice.
+  void Ask(const std::vector<planner::Path>& paths, const ServerList& servers, std::int64_t now_ms);
+
+  /// What is to be sent now: new requests and overdue ones, with attempt and server filled in.
+  std::vector<expand_request_t> TakeDue(const ServerList& servers, std::int64_t now_ms);
+
+  /// Takes note of an answer, whoever it was meant for: its paths are no longer awaited. Returns
+  /// the paths of ours that a server refuses for good, which will never come.
+  std::vector<planner::Path> Hear(const expand_reply_t& reply, std::int64_t now_ms);
+
+  /// Milliseconds until something is overdue; `otherwise` when nothing is awaited.
+  std::int64_t Remaining(std::int64_t now_ms, std::int64_t otherwise) const;
+
+  /// Whether `path` was asked for and has not come yet.
+  bool Awaits(const planner::Path& path) const;
+  std::size_t awaited_paths() const;
+  std::int64_t resent() const { return resent_; }
+
+ private:
+  struct Request {
+    std::vector<planner::Path> paths;
+    int attempt = 0;
+    std::int64_t sent_ms = 0;
+    std::int64_t due_ms = 0;
+  };
+
+  expand_request_t Message(std::int64_t id, const Request& request, std::int64_t server_id) const;
+  void Forget(const std::vector<evaluation_t>& evaluations, std::int64_t now_ms);
+  bool Concerns(const expand_reply_t& reply) const;
+  std::int64_t Timeout(int attempt) const;
+
+  std::int64_t client_id_;
+  std::int64_t search_id_ = 0;
+  std::int32_t epoch_ = 0;
+  std::int64_t weights_hash_ = 0;
+  std::int64_t next_id_ = 1;
+  double answer_ms_ = 10;  // usual answering time, smoothed
+  std::int64_t resent_ = 0;
+  std::map<std::int64_t, Request> requests_;  // by request id
+};
+
+}  // namespace prospect::services

@@ -1,0 +1,72 @@
+#include "services/binding/statistics_messages.h"
+
+#include "services/binding/evaluation_messages.h"
+
+namespace prospect::services {
+namespace {
+
+std::int64_t Wire(std::uint64_t value) { return static_cast<std::int64_t>(value); }
+std::uint64_t Library(std::int64_t value) { return static_cast<std::uint64_t>(value); }
+
+statistics_row_t RowToMessage(const planner::StatisticsRow& row) {
+  statistics_row_t message{};
+  message.writer = Wire(row.writer);
+  message.version = Wire(row.version);
+  message.path = ToMessage(row.path);
+  message.visits = row.visits;
+  message.value_sum = row.value_sum;
+  message.best = row.best;
+  message.in_flight = row.in_flight;
+  return message;
+}
+
+planner::StatisticsRow RowFromMessage(const statistics_row_t& message) {
+  planner::StatisticsRow row;
+  row.writer = Library(message.writer);
+  row.version = Library(message.version);
+  row.path = message.path.actions;
+  row.visits = message.visits;
+  row.value_sum = message.value_sum;
+  row.best = message.best;
+  row.in_flight = message.in_flight;
+  return row;
+}
+
+}  // namespace
+
+search_statistics_t ToMessage(const planner::StatisticsBatch& batch, int lease_ms) {
+  search_statistics_t message{};
+  message.search_id = Wire(batch.search.id);
+  message.epoch = static_cast<std::int32_t>(batch.search.epoch);
+  message.writer = Wire(batch.writer);
+  message.sequence = Wire(batch.sequence);
+  message.lease_ms = lease_ms;
+  message.rollouts = batch.totals.rollouts;
+  message.evaluations = batch.totals.evaluations;
+  message.in_flight = static_cast<std::int32_t>(batch.totals.in_flight);
+  message.row_count = static_cast<std::int32_t>(batch.totals.rows);
+  message.digest = Wire(batch.totals.digest);
+  message.is_final = batch.totals.finished ? 1 : 0;
+  message.checksum = Wire(batch.checksum);
+  for (const auto& row : batch.rows) message.rows.push_back(RowToMessage(row));
+  message.num_rows = static_cast<std::int32_t>(message.rows.size());
+  return message;
+}
+
+planner::StatisticsBatch FromMessage(const search_statistics_t& message) {
+  planner::StatisticsBatch batch;
+  batch.search = {Library(message.search_id), static_cast<std::uint32_t>(message.epoch)};
+  batch.writer = Library(message.writer);
+  batch.sequence = Library(message.sequence);
+  batch.totals.rollouts = message.rollouts;
+  batch.totals.evaluations = message.evaluations;
+  batch.totals.in_flight = message.in_flight;
+  batch.totals.rows = message.row_count;
+  batch.totals.digest = Library(message.digest);
+  batch.totals.finished = message.is_final != 0;
+  batch.checksum = Library(message.checksum);
+  for (const auto& row : message.rows) batch.rows.push_back(RowFromMessage(row));
+  return batch;
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,59 @@
+#include "services/binding/task_messages.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace prospect::services {
+namespace {
+
+std::uint64_t Fnv1a(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3ULL;
+  return hash;
+}
+
+void Append(const std::vector<std::int32_t>& indices, std::string* text) {
+  for (const auto index : indices) *text += std::to_string(index) + ',';
+  *text += ';';
+}
+
+std::vector<int> Checked(const std::vector<std::int32_t>& indices, int num_actions) {
+  for (const auto index : indices) {
+    if (index < 0 || index >= num_actions) {
+      throw std::runtime_error("TASK names action " + std::to_string(index) +
+                               " but its table has " + std::to_string(num_actions) +
+                               " rows; publish a consistent table");
+    }
+  }
+  return {indices.begin(), indices.end()};
+}
+
+}  // namespace
+
+std::int64_t TaskHash(const task_t& task) {
+  std::string text = task.name + '|' + task.world_version + '|';
+  for (const auto& action : task.actions) {
+    text += action.name + '|' + action.kind + '|' + action.object + '|';
+    Append(action.successors, &text);
+  }
+  Append(task.initial, &text);
+  text += std::to_string(task.plan_length) + '|' + std::to_string(task.repeats_allowed) + '|';
+  text += std::to_string(task.image_width) + 'x' + std::to_string(task.image_height) + '|';
+  text += std::to_string(task.tick_seconds) + '|' + std::to_string(task.action_time_limit);
+  return static_cast<std::int64_t>(Fnv1a(text));
+}
+
+planner::TaskRules RulesFromTask(const task_t& task) {
+  planner::TaskRules rules;
+  rules.num_actions = task.num_actions;
+  rules.plan_length = task.plan_length;
+  rules.repeats_allowed = task.repeats_allowed != 0;
+  for (const auto& action : task.actions) {
+    rules.successors.push_back(Checked(action.successors, task.num_actions));
+  }
+  rules.successors.push_back(Checked(task.initial, task.num_actions));
+  return rules;
+}
+
+}  // namespace prospect::services

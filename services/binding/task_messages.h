@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lcmtypes/messages.h"
+#include "planner/task_rules.h"
+
+namespace prospect::services {
+
+// TASK as the libraries see it. Pure functions, safe from any thread.
+
+/// Hash of everything in TASK but utime and the hash itself. SEARCH_ROOT carries it, so that a
+/// worker that missed a TASK (another plan length, say) waits for the right one instead of
+/// searching by the wrong rules.
+std::int64_t TaskHash(const task_t& task);
+
+/// The planner's rules: action table size, plan length, what may follow what. Row num_actions of
+/// `successors` (the start) comes from `initial`. Throws std::runtime_error when an index lies
+/// outside the table; messages that passed ValidateMessage never do.
+planner::TaskRules RulesFromTask(const task_t& task);
+
+}  // namespace prospect::services

@@ -1,0 +1,65 @@
+// prospect-simulator: a simulated robot in its world, on the bus.
+
+#include <CLI/CLI.hpp>
+
+#include "services/common/common_options.h"
+#include "services/common/run_main.h"
+#include "services/common/signals.h"
+#include "services/simulator/simulator.h"
+
+namespace {
+
+using namespace prospect::services;
+
+void AddOptions(CLI::App& app, SimulatorOptions& options) {
+  app.add_option("--task", options.task, "world to simulate")
+      ->envname("PROSPECT_TASK")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "first scene")->capture_default_str();
+  app.add_option("--objects", options.scene.objects, "objects on the site")
+      ->check(CLI::Range(4, 7))
+      ->capture_default_str();
+  app.add_option("--legs", options.scene.legs, "actions in a complete plan")
+      ->check(CLI::Range(3, 5))
+      ->capture_default_str();
+  app.add_option("--image-noise", options.scene.image_noise, "sensor noise, share of full range")
+      ->check(CLI::Range(0.0, 0.25))
+      ->capture_default_str();
+  app.add_flag("--real-time", options.real_time, "let the clock run as a robot's would");
+  app.add_option("--frames-per-second", options.frames_per_second,
+                 "pace of the clock otherwise, frames a second of wall clock")
+      ->check(CLI::Range(0.1, 10000.0))
+      ->capture_default_str();
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app(
+      "Simulator: a robot in its world; publishes what its camera sees and carries actions out");
+  CommonOptions common;
+  SimulatorOptions options;
+  AddCommonOptions(app, common);
+  AddOptions(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  ApplyCommonOptions(common, "simulator");
+
+  Bus bus(common.bus);
+  try {
+    Simulator simulator(bus, options);
+    simulator.monitor().RequireOwnBus();
+    while (!StopRequested()) simulator.Turn();
+    simulator.Leave();
+  } catch (const std::invalid_argument& error) {
+    throw ExitError(kExitUsage, error.what());
+  }
+  return kExitSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return RunMain([&] { return Run(argc, argv); });
+}

@@ -1,0 +1,55 @@
+// prospect-worker: a planner worker. Start as many as there are processors to spare; they find the
+// search by themselves.
+
+#include <CLI/CLI.hpp>
+
+#include "services/common/common_options.h"
+#include "services/common/health_monitor.h"
+#include "services/common/run_main.h"
+#include "services/common/signals.h"
+#include "services/worker/worker.h"
+
+namespace {
+
+using namespace prospect::services;
+
+int Run(int argc, char** argv) {
+  CLI::App app(
+      "Planner worker: searches imagined futures together with all other workers on the bus");
+  CommonOptions common;
+  WorkerOptions options;
+  AddCommonOptions(app, common);
+  app.add_option("--index", options.index,
+                 "breaks ties differently in each worker; -1: drawn at random")
+      ->envname("PROSPECT_WORKER_INDEX")
+      ->check(CLI::Range(-1, 65535))
+      ->capture_default_str();
+  app.add_option("--statistics-period", options.statistics_period_ms,
+                 "ms between two SEARCH_STATISTICS messages")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--statistics-bytes", options.statistics_bytes,
+                 "byte budget of one SEARCH_STATISTICS message")
+      ->check(CLI::Range(256, 60000))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  ApplyCommonOptions(common, "worker");
+
+  Bus bus(common.bus);
+  HealthMonitor monitor(bus);
+  Worker worker(bus, options);
+  monitor.RequireOwnBus();
+  while (!StopRequested()) worker.Turn();
+  worker.Leave();
+  return kExitSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return RunMain([&] { return Run(argc, argv); });
+}

@@ -1,0 +1,184 @@
+#include "services/worker/worker.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "services/binding/evaluation_messages.h"
+#include "services/binding/statistics_messages.h"
+#include "services/binding/task_messages.h"
+
+namespace prospect::services {
+namespace {
+
+// SEARCH_ROOT repeats at 10 Hz: ten missing in a row mean that nobody wants the answer any more.
+constexpr std::int64_t kRootSilenceMs = 1000;
+constexpr std::int64_t kClosingMs = 500;
+constexpr std::int64_t kLongestWaitMs = 100;
+constexpr std::size_t kRememberedStops = 256;
+constexpr int kMissingAtOnce = 64;
+
+std::int64_t SteadyUs() { return SteadyMs() * 1000; }
+
+}  // namespace
+
+Worker::Worker(Bus& bus, const WorkerOptions& options)
+    : bus_(bus),
+      options_(options),
+      health_(bus, "worker"),
+      window_(health_.instance_id()),
+      statistics_due_(options.statistics_period_ms) {
+  if (options_.index < 0) options_.index = health_.instance_id() % 65536;
+  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
+  bus_.Subscribe<model_info_t>(
+      [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
+  bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); });
+  bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); });
+  bus_.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); });
+  bus_.Subscribe<expand_request_t>([this](const expand_request_t& request) { OnRequest(request); });
+  bus_.Subscribe<search_statistics_t>(
+      [this](const search_statistics_t& rows) { OnStatistics(rows); });
+  health_.SetState(health_t::STATE_READY);
+}
+
+bool Worker::Wanted(const search_root_t& root, std::int64_t now_ms) const {
+  if (stopped_searches_.count(root.search_id)) return false;
+  if (!task_ || task_->task_hash != root.task_hash) return false;
+  if (!shared_) return true;
+  if (shared_->root().search_id == root.search_id) return root.epoch > shared_->root().epoch;
+  return phase_ != Phase::kSearching || now_ms - root_heard_ms_ > kRootSilenceMs;
+}
+
+void Worker::OnRoot(const search_root_t& root) {
+  const std::int64_t now_ms = SteadyMs();
+  if (Wanted(root, now_ms)) Begin(root, now_ms);
+  if (shared_ && shared_->Concerns(root.search_id, root.epoch)) root_heard_ms_ = now_ms;
+}
+
+void Worker::Begin(const search_root_t& root, std::int64_t now_ms) {
+  if (shared_) rollouts_before_ += shared_->search().rollouts();
+  shared_.reset();
+  phase_ = Phase::kIdle;
+  try {
+    shared_ = std::make_unique<SharedSearch>(root, RulesFromTask(*task_), health_.instance_id(),
+                                             static_cast<int>(options_.index), now_ms * 1000);
+  } catch (const std::exception& error) {
+    bus_.CountRefused(ChannelOf<search_root_t>(), "parameters");
+    spdlog::warn("search {} refused: {}", root.search_id, error.what());
+    stopped_searches_.insert(root.search_id);
+    return;
+  }
+  window_.Begin(root);
+  phase_ = Phase::kSearching;
+  root_heard_ms_ = now_ms;
+  statistics_due_.Hurry();
+  health_.SetState(health_t::STATE_BUSY);
+  spdlog::debug("search {} epoch {} begins", root.search_id, root.epoch);
+}
+
+void Worker::OnStop(const search_stop_t& stop) {
+  if (stopped_searches_.size() >= kRememberedStops) stopped_searches_.clear();
+  stopped_searches_.insert(stop.search_id);
+  if (phase_ == Phase::kSearching && shared_->root().search_id == stop.search_id)
+    Close(stop.reason.c_str());
+}
+
+void Worker::Close(const char* why) {
+  spdlog::debug("search {} ends: {}", shared_->root().search_id, why);
+  shared_->search().Stop();
+  window_.Begin(shared_->root());
+  phase_ = Phase::kClosing;
+  closing_since_ms_ = SteadyMs();
+  statistics_due_.Hurry();
+}
+
+void Worker::OnReply(const expand_reply_t& reply) {
+  if (!shared_) return;
+  shared_->Hear(reply, &window_);
+  for (const auto& path : window_.Hear(reply, SteadyMs())) {
+    spdlog::warn("a server refuses {}: {}", planner::ToString(path), reply.reason);
+    shared_->search().Abandon(path);
+  }
+}
+
+void Worker::OnRequest(const expand_request_t& request) {
+  if (shared_) shared_->Hear(request, health_.instance_id(), SteadyUs());
+}
+
+void Worker::OnStatistics(const search_statistics_t& statistics) {
+  if (shared_ && shared_->sharing()) shared_->Hear(statistics, SteadyUs());
+}
+
+void Worker::Advance() {
+  auto& search = shared_->search();
+  const int wanted = std::max(0, shared_->root().leaves - search.waiting());
+  window_.Ask(search.Advance(wanted, SteadyUs()), servers_, SteadyMs());
+}
+
+// Without them this worker might read off another plan than the others.
+void Worker::AskForMissing(std::int64_t now_ms) {
+  if (shared_->sharing())
+    window_.Ask(shared_->search().MissingEvaluations(kMissingAtOnce), servers_, now_ms);
+}
+
+void Worker::SendRequests(std::int64_t now_ms) {
+  for (auto& request : window_.TakeDue(servers_, now_ms)) {
+    request.utime = UtimeNow();
+    bus_.Publish(request);
+  }
+}
+
+void Worker::SendStatistics(std::int64_t now_ms) {
+  auto message = ToMessage(shared_->search().MakeBatch(
+                               static_cast<std::size_t>(options_.statistics_bytes), now_ms * 1000),
+                           kLeaseMs);
+  message.utime = UtimeNow();
+  bus_.Publish(message);
+}
+
+void Worker::CheckAbandoned(std::int64_t now_ms) {
+  if (phase_ == Phase::kSearching && now_ms - root_heard_ms_ > kRootSilenceMs)
+    Close("its root fell silent");
+  if (phase_ != Phase::kClosing || now_ms - closing_since_ms_ < kClosingMs) return;
+  const std::string summary = Summary(shared_->search().BestPlan());
+  spdlog::info("search {}: {} rollouts here, {} in all, {} evaluations; {}",
+               shared_->root().search_id, shared_->search().rollouts(),
+               shared_->search().total_rollouts(), shared_->search().evaluations(), summary);
+  phase_ = Phase::kIdle;
+  health_.SetState(health_t::STATE_READY,
+                   "search " + std::to_string(shared_->root().search_id) + ": " + summary);
+}
+
+void Worker::Report() {
+  const std::int64_t here = shared_ ? shared_->search().rollouts() : 0;
+  health_.SetCounter("rollouts", rollouts_before_ + here);
+  health_.SetCounter("requests resent", window_.resent());
+  health_.SetQueue(static_cast<std::int32_t>(window_.awaited_paths()));
+  health_.Tick();
+}
+
+int Worker::TimeoutMs(std::int64_t now_ms) const {
+  if (phase_ == Phase::kIdle) return kLongestWaitMs;
+  const std::int64_t until = std::min(kLongestWaitMs, statistics_due_.Remaining(now_ms));
+  return static_cast<int>(window_.Remaining(now_ms, until));
+}
+
+void Worker::Turn() {
+  bus_.Poll(TimeoutMs(SteadyMs()));
+  const std::int64_t now_ms = SteadyMs();
+  CheckAbandoned(now_ms);
+  if (phase_ == Phase::kSearching) Advance();
+  if (phase_ == Phase::kClosing) AskForMissing(now_ms);
+  if (phase_ != Phase::kIdle) {
+    SendRequests(now_ms);
+    if (statistics_due_.Due(now_ms)) SendStatistics(now_ms);
+  }
+  Report();
+}
+
+void Worker::Leave() {
+  health_.SetState(health_t::STATE_DRAINING, "leaving");
+  health_.PublishNow();
+}
+
+}  // namespace prospect::services
