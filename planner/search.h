@@ -3,11 +3,11 @@
 // and sends out what Advance and MakeBatch give. The same class, never told to Advance, is how an
 // observer reads off the plan.
 //
-//   EVALUATE  V and f of the node; f < c_done makes the value 0; neither test is made at the root
-//   SAMPLE    the selection rule's best child among those the task allows and p permits
-//   T         asked for: Advance returns the path, Deliver brings its evaluation, and the rollout
-//   walks on UPDATE    N, W, v* of every node on the path; the value is formed on the way up by the
-//   rule (Backup)
+//   EVALUATE  V and f of the node; f < c_done makes the value 0; neither is tested at the root.
+//   SAMPLE    The selection rule's best child among those the task allows and p permits.
+//   T         Asked for: Advance returns the path, Deliver brings its evaluation, and the rollout
+//             walks on.
+//   UPDATE    N, W, v* of every node on the path; the rule says how the value is formed (Backup).
 //
 // A rollout ends at depth d, at a value below v_failed, at a failed action (value 0), where the
 // plan is complete (value V), or where nothing more is permitted (value 0). N counts rollouts;
@@ -70,10 +70,12 @@ class Search {
   int Merge(const StatisticsBatch& batch, std::int64_t now_us);
 
   // --- what is to be sent
-  // Lets every rollout go as far as evaluations allow and starts new ones until `max_new_leaves`
-  // paths are to be evaluated that nobody has asked for, or done(). Returns those paths (each once,
-  // until Abandon). Rollouts already begun may add to them beyond max_new_leaves; call with max(0,
-  // wanted - waiting()) to keep `wanted` in flight.
+  // Lets every rollout in flight go as far as evaluations allow, then starts new ones until
+  // `max_new_leaves` more paths (plus one for each rollout that just ended) are to be evaluated
+  // that nobody has asked for, or done(). Returns all paths to be asked for, each once (until
+  // Abandon). Call it with max(0, wanted - waiting()) to keep `wanted` rollouts in flight: whenever
+  // something was delivered or merged, and every 50 ms or so, because a path that another worker
+  // asked for is asked for here only after patience_us.
   std::vector<Path> Advance(int max_new_leaves, std::int64_t now_us);
   // See SharedStatistics::MakeBatch; fills in this worker's totals.
   StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
@@ -127,22 +129,21 @@ class Search {
 
   Node& NodeOf(PathId id);
   void ResolveRules(PathId id);
-  bool Terminal(PathId id);
-  double LeafValue(PathId id);
+  bool EndsHere(PathId id, double* value);
   bool Permitted(PathId id, int action) const;
   PathId SelectChild(PathId id);
-  ParentView ViewOf(PathId id);
+  ParentView ViewOf(PathId id) const;
   ChildView ViewOfChild(PathId parent, int action, PathId child) const;
   std::int64_t ExtraInFlight(PathId child) const;
-  Walked Walk(PathId* at);
-  void Backup(PathId leaf);
-  double ValueThrough(PathId id, double below) const;
-  void ForEachOnPath(PathId leaf, void (SharedStatistics::*action)(PathId));
-  void ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
+  Walked Walk(PathId* at, double* value);
+  void BackUp(PathId leaf, double value);
+  void GiveUp(PathId leaf);
+  int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
   void StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
   bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
   void Absorb();
   void UpdateExhausted(PathId id);
+  bool Exhausted(PathId id) const;
   bool NowExhausted(PathId id);
 
   TaskRules rules_;
@@ -158,6 +159,7 @@ class Search {
   std::vector<std::uint8_t> allowed_;  // allowed actions of all nodes, one after the other
   std::vector<PathId> rollouts_;       // own rollouts in flight: the path each waits for
   std::vector<PathId> given_up_;       // scratch of StartRollouts
+  std::uint64_t tie_seed_;
   std::int64_t own_evaluations_ = 0;
   bool stopped_ = false;
 };

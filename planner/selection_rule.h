@@ -4,20 +4,19 @@
 //
 // Names for MakeSelectionRule:
 //   paper              c Q / (N + O + 1) + v*, v* = 0 if unvisited. Paper, Algorithm 1 (SAMPLE),
-//   with the visit about to
-//                      be made counted in N (the paper's formula is undefined at N = 0) and visits
-//                      in flight O beside it. Backs up the product of V.
+//                      with the visit about to be made counted in N (the paper's formula is
+//                      undefined at N = 0) and visits in flight O beside it.
+//                      Backs up the product of V.
 //   paper-literal      c Q / (N + O) + v*, and a child with N + O = 0 before all others, the higher
-//   Q first: the paper's
-//                      formula to the letter. Backs up the product of V.
-//   puct               W/N + c_puct P sqrt(N_parent + O_parent) / (1 + N + O), P = Q / sum of Q
-//   over the children
-//                      (Silver et al. 2017). Visits in flight enter the bonus only, as in WU-UCT
-//                      (Liu et al. 2020) and lc0. An unvisited child's mean is its parent's. Backs
-//                      up the plan score.
-//   puct-virtual-loss  as puct, but a visit in flight counts as one that returned 0 (Chaslot et al.
-//   2008). random             uniform over the children, a function of seed, worker, path and
-//   visits. Backs up the plan score.
+//                      Q first: the paper's formula to the letter. Backs up the product of V.
+//   puct               W/N + c_puct P sqrt(N_parent + O_parent) / (1 + N + O), where P = Q / sum of
+//                      Q over the children (Silver et al. 2017). Visits in flight enter the bonus
+//                      only, as in WU-UCT (Liu et al. 2020) and lc0. An unvisited child's mean is
+//                      its parent's. Backs up the plan score.
+//   puct-virtual-loss  As puct, but a visit in flight counts as one that returned 0
+//                      (Chaslot et al. 2008).
+//   random             Uniform over the children, a function of seed, worker, path and visits.
+//                      Backs up the plan score.
 #pragma once
 
 #include <cstdint>

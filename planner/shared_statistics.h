@@ -27,6 +27,7 @@ struct SharedStatisticsOptions {
   SearchId search;
   std::uint64_t writer = 0;           // this process; random per start, never 0
   std::int64_t lease_us = 1'000'000;  // > 0
+  int max_writers = 1024;             // rows of writers beyond this many known ones are refused
   int max_paths = 4'000'000;          // rows for paths beyond this many known ones are refused
 };
 
@@ -50,6 +51,7 @@ struct RefusalCounts {
   std::int64_t in_flight_range = 0;  // O < 0
   std::int64_t sum_range = 0;        // N < 0, or W outside [0, N kValueOne]
   std::int64_t path = 0;             // action outside the table, path too long, table full
+  std::int64_t writers = 0;          // more writers than max_writers: whole batches and rows
   std::int64_t own_row = 0;          // a row under this writer's id that this writer did not make
   std::int64_t total() const;
 };
@@ -101,6 +103,7 @@ class SharedStatistics {
   std::vector<PathId> TakeNewlyVisited();
 
   // --- inspection
+  WriterTotals own_totals() const;  // what the next batch will announce
   // Digest of all rows with N > 0 of all writers; equal tables have equal digests whatever the
   // order of arrival.
   std::uint64_t digest() const;
@@ -149,6 +152,7 @@ class SharedStatistics {
 
   Row& RowOf(int writer, PathId id);
   PathTotals& TotalsOf(PathId id);
+  bool RoomFor(std::uint64_t writer);
   int WriterIndex(std::uint64_t id);
   std::uint64_t RowDigest(const Row& row, PathId id) const;
   void Touch(PathId id, Row* row);
@@ -165,7 +169,6 @@ class SharedStatistics {
   void AddChanged(std::size_t byte_budget, StatisticsBatch* batch);
   void AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch);
   StatisticsRow Export(int writer, PathId id) const;
-  WriterTotals OwnTotals() const;
 
   PathTree* paths_;
   SharedStatisticsOptions options_;

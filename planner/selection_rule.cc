@@ -1,0 +1,115 @@
+#include "planner/selection_rule.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "planner/path.h"
+
+namespace prospect::planner {
+namespace {
+
+class Paper : public SelectionRule {
+ public:
+  explicit Paper(double c) : c_(c) {}
+  double Score(const ParentView&, const ChildView& child) const override {
+    const auto counted = static_cast<double>(child.visits + child.in_flight + 1);
+    return c_ * child.q / counted + child.best;
+  }
+  Backup backup() const override { return Backup::kValueProduct; }
+
+ private:
+  double c_;
+};
+
+class PaperLiteral : public SelectionRule {
+ public:
+  explicit PaperLiteral(double c) : c_(c) {}
+  double Score(const ParentView&, const ChildView& child) const override {
+    const auto counted = static_cast<double>(child.visits + child.in_flight);
+    if (counted == 0) return kFirst + child.q;
+    return c_ * child.q / counted + child.best;
+  }
+  Backup backup() const override { return Backup::kValueProduct; }
+
+ private:
+  // Stands for the formula's infinity at N = 0, and leaves room to order by Q.
+  static constexpr double kFirst = 1e9;
+  double c_;
+};
+
+// The action's share of Q among its siblings; all alike where Q gives no hint.
+double Prior(const ParentView& parent, const ChildView& child) {
+  return parent.q_sum > 0 ? child.q / parent.q_sum : 1.0;
+}
+
+double PuctBonus(double c_puct, const ParentView& parent, const ChildView& child) {
+  const auto tried = static_cast<double>(parent.visits + parent.in_flight);
+  const auto here = static_cast<double>(child.visits + child.in_flight);
+  return c_puct * Prior(parent, child) * std::sqrt(tried) / (1 + here);
+}
+
+class Puct : public SelectionRule {
+ public:
+  explicit Puct(double c_puct) : c_puct_(c_puct) {}
+  double Score(const ParentView& parent, const ChildView& child) const override {
+    const double mean = child.visits > 0 ? child.mean : parent.mean;
+    return mean + PuctBonus(c_puct_, parent, child);
+  }
+  Backup backup() const override { return Backup::kPlanScore; }
+
+ private:
+  double c_puct_;
+};
+
+class PuctVirtualLoss : public SelectionRule {
+ public:
+  explicit PuctVirtualLoss(double c_puct) : c_puct_(c_puct) {}
+  double Score(const ParentView& parent, const ChildView& child) const override {
+    return MeanWithLosses(parent, child) + PuctBonus(c_puct_, parent, child);
+  }
+  Backup backup() const override { return Backup::kPlanScore; }
+
+ private:
+  static double MeanWithLosses(const ParentView& parent, const ChildView& child) {
+    const std::int64_t counted = child.visits + child.in_flight;
+    if (counted == 0) return parent.mean;
+    return child.mean * static_cast<double>(child.visits) / static_cast<double>(counted);
+  }
+  double c_puct_;
+};
+
+class Random : public SelectionRule {
+ public:
+  double Score(const ParentView& parent, const ChildView& child) const override {
+    const auto round = static_cast<std::uint64_t>(parent.visits + parent.in_flight);
+    return static_cast<double>(HashCombine(child.tie, round) >> 11);
+  }
+  Backup backup() const override { return Backup::kPlanScore; }
+};
+
+std::string AllNames() {
+  std::string names;
+  for (const std::string& name : SelectionRuleNames()) names += " " + name;
+  return names;
+}
+
+}  // namespace
+
+std::unique_ptr<const SelectionRule> MakeSelectionRule(const std::string& name, double c,
+                                                       double c_puct) {
+  if (name == "paper") return std::make_unique<Paper>(c);
+  if (name == "paper-literal") return std::make_unique<PaperLiteral>(c);
+  if (name == "puct") return std::make_unique<Puct>(c_puct);
+  if (name == "puct-virtual-loss") return std::make_unique<PuctVirtualLoss>(c_puct);
+  if (name == "random") return std::make_unique<Random>();
+  throw std::invalid_argument("no selection rule '" + name + "'; there are:" + AllNames());
+}
+
+const std::vector<std::string>& SelectionRuleNames() {
+  static const std::vector<std::string> names = {"paper", "paper-literal", "puct",
+                                                 "puct-virtual-loss", "random"};
+  return names;
+}
+
+}  // namespace prospect::planner

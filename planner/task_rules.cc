@@ -1,0 +1,75 @@
+#include "planner/task_rules.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace prospect::planner {
+namespace {
+
+bool Contains(const Path& path, int action) {
+  return std::find(path.begin(), path.end(), action) != path.end();
+}
+
+void Require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("task rules: " + what);
+}
+
+}  // namespace
+
+bool TaskRules::Complete(const Path& executed, const Path& path) const {
+  return static_cast<int>(executed.size() + path.size()) >= plan_length;
+}
+
+bool TaskRules::Allowed(const Path& executed, const Path& path, int action) const {
+  if (Complete(executed, path)) return false;
+  if (!repeats_allowed && (Contains(executed, action) || Contains(path, action))) return false;
+  const Path& latest = path.empty() ? executed : path;
+  const int row = latest.empty() ? num_actions : latest.back();
+  const std::vector<int>& next = successors.at(row);
+  return std::find(next.begin(), next.end(), action) != next.end();
+}
+
+std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
+  std::vector<int> actions;
+  for (int action = 0; action < num_actions; ++action) {
+    if (Allowed(executed, path, action)) actions.push_back(action);
+  }
+  return actions;
+}
+
+bool TaskRules::Legal(const Path& executed, const Path& path) const {
+  Path walked;
+  for (const std::uint8_t action : path) {
+    if (!Allowed(executed, walked, action)) return false;
+    walked.push_back(action);
+  }
+  return true;
+}
+
+void TaskRules::Validate() const {
+  Require(num_actions >= 1 && num_actions <= kMaxActions, "num_actions must be 1 to 255");
+  Require(plan_length >= 1 && plan_length <= kMaxPathLength, "plan_length must be 1 to 32");
+  Require(static_cast<int>(successors.size()) == num_actions + 1,
+          "successors needs one row for each action and a last one for the null action");
+  for (const std::vector<int>& row : successors) {
+    for (const int action : row) {
+      Require(action >= 0 && action < num_actions, "successors name an action that does not exist");
+    }
+  }
+}
+
+TaskRules AnyOrder(int num_actions, int plan_length, bool repeats_allowed) {
+  TaskRules rules;
+  rules.num_actions = num_actions;
+  rules.plan_length = plan_length;
+  rules.repeats_allowed = repeats_allowed;
+  std::vector<int> all(std::max(num_actions, 0));
+  std::iota(all.begin(), all.end(), 0);
+  rules.successors.assign(all.size() + 1, all);
+  rules.Validate();
+  return rules;
+}
+
+}  // namespace prospect::planner
