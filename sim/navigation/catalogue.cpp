@@ -26,14 +26,14 @@ ObjectKind Barricade() {
   return kind;
 }
 
-// A traffic cone on a dark foot.
+// A traffic cone on a bright foot. Slanting faces look dark from above, so flat rings carry its colours.
 ObjectKind Pylon() {
-  const Color orange(1.0f, 0.45f, 0.05f), white(0.97f, 0.97f, 0.95f), dark(0.15f, 0.12f, 0.12f);
+  const Color orange(1.0f, 0.45f, 0.0f), white(1.0f, 1.0f, 0.98f);
   ObjectKind kind{"pylon", Footprint::Rectangle(0.56, 0.56), 0.75, {}};
-  kind.visual.push_back(Box({0, 0, 0.03f}, {0.56f, 0.56f, 0.06f}, dark));
-  kind.visual.push_back(Frustum({0, 0, 0.06f}, 0.25f, 0.17f, 0.25f, orange));
-  kind.visual.push_back(Frustum({0, 0, 0.31f}, 0.17f, 0.11f, 0.17f, white));
-  kind.visual.push_back(Frustum({0, 0, 0.48f}, 0.11f, 0.05f, 0.27f, orange));
+  kind.visual.push_back(Box({0, 0, 0.03f}, {0.56f, 0.56f, 0.06f}, orange));
+  kind.visual.push_back(Cylinder({0, 0, 0.16f}, 0.21f, 0.2f, white));
+  kind.visual.push_back(Cylinder({0, 0, 0.36f}, 0.13f, 0.2f, orange));
+  kind.visual.push_back(Frustum({0, 0, 0.46f}, 0.13f, 0.05f, 0.29f, orange));
   return kind;
 }
 

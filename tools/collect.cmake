@@ -1,0 +1,12 @@
+if(NOT TARGET prospect_sim OR NOT TARGET prospect_dataset)
+  return()
+endif()
+find_package(nlohmann_json 3 REQUIRED)
+set(collect ${CMAKE_CURRENT_SOURCE_DIR}/collect)
+add_library(prospect_collect_lib STATIC ${collect}/collector.cpp ${collect}/trial_recorder.cpp)
+prospect_target(prospect_collect_lib)
+target_link_libraries(prospect_collect_lib PUBLIC prospect_sim prospect_dataset prospect_tools_common
+  PRIVATE nlohmann_json::nlohmann_json)
+add_executable(prospect-collect ${CMAKE_CURRENT_SOURCE_DIR}/collect.cpp)
+prospect_target(prospect-collect)
+target_link_libraries(prospect-collect PRIVATE prospect_collect_lib nlohmann_json::nlohmann_json)

@@ -1,0 +1,189 @@
+#include "tools/collect/collector.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "model/dataset.h"
+#include "sim/random.h"
+#include "tools/collect/trial_recorder.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/progress.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kSceneStream = 0x6d69786564ULL;
+constexpr char kMixed[] = "mixed";
+
+std::string PartsFolder(const CollectOptions& options) { return options.out + ".parts"; }
+
+std::string PartPath(const CollectOptions& options, std::uint64_t seed) {
+  return PartsFolder(options) + "/trial_" + std::to_string(seed) + ".h5";
+}
+
+int NumberOrRefuse(const std::string& name, const std::string& text) {
+  if (text.size() == 1 && text[0] >= '0' && text[0] <= '9') return text[0] - '0';
+  throw CollectUsageError("--" + name + " is '" + text + "': give a number or " + kMixed);
+}
+
+void CheckSeeds(const CollectOptions& options) {
+  const std::uint64_t last = options.seed + static_cast<std::uint64_t>(options.trials) - 1;
+  if (options.trials < 1 || options.seed > model::kLastCollectionSeed ||
+      last > model::kLastCollectionSeed) {
+    throw CollectUsageError("trials have seeds " + std::to_string(options.seed) + " to " +
+                            std::to_string(last) +
+                            ": collection takes 0 to 999,999, later ones are kept for evaluation");
+  }
+}
+
+// Refuses a bad task or scene before any process starts.
+std::string CheckedWorldVersion(const CollectOptions& options) {
+  try {
+    return sim::MakeTask(options.task, SceneOptions(options, options.seed))->spec().world_version;
+  } catch (const std::invalid_argument& error) {
+    throw CollectUsageError(error.what());
+  }
+}
+
+// What the parts of one folder have in common.
+json Manifest(const CollectOptions& options) {
+  return {{"task", options.task},
+          {"world_version", CheckedWorldVersion(options)},
+          {"objects", options.objects},
+          {"legs", options.legs},
+          {"image_noise", options.image_noise}};
+}
+
+void PrepareParts(const CollectOptions& options) {
+  const fs::path folder = PartsFolder(options);
+  const fs::path manifest_path = folder / "manifest.json";
+  const json manifest = Manifest(options);
+  if (fs::exists(manifest_path)) {
+    if (!options.resume) {
+      throw CollectUsageError(folder.string() +
+                              " holds trials of an earlier run: give --resume to go on "
+                              "with them, or remove the folder");
+    }
+    std::ifstream file(manifest_path);
+    if (json::parse(file, nullptr, false) != manifest) {
+      throw CollectUsageError(folder.string() +
+                              " was begun with other options or another world: remove it");
+    }
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  std::ofstream file(manifest_path);
+  if (error || !(file << manifest.dump(2) << '\n')) {
+    throw std::runtime_error("cannot write to " + folder.string() + ": choose another --out");
+  }
+}
+
+json Line(const model::Trial& trial, bool kept) {
+  return {{"success", trial.succeeded()},
+          {"reason", trial.reason},
+          {"frames", trial.frames()},
+          {"seconds", (trial.frames() - 1) * trial.tick_seconds},
+          {"kept", kept}};
+}
+
+// Tasks by their options, made when first needed: making one costs more than resetting it.
+class Tasks {
+ public:
+  explicit Tasks(std::string name) : name_(std::move(name)) {}
+
+  sim::Task& Get(const sim::TaskOptions& options) {
+    std::unique_ptr<sim::Task>& task = tasks_[{options.objects, options.legs}];
+    if (task == nullptr) task = sim::MakeTask(name_, options);
+    return *task;
+  }
+
+ private:
+  std::string name_;
+  std::map<std::pair<int, int>, std::unique_ptr<sim::Task>> tasks_;
+};
+
+json CollectOne(const CollectOptions& options, std::uint64_t seed, Tasks* tasks) {
+  const std::string path = PartPath(options, seed);
+  if (fs::exists(path) && model::IsWholeTrialFile(path)) {
+    return Line(model::TrialFile(path).ReadLabels(0), true);
+  }
+  const model::Trial trial =
+      RecordRandomTrial(tasks->Get(SceneOptions(options, seed)), seed, options.image_noise);
+  model::WriteTrialFile(path, trial);
+  return Line(trial, false);
+}
+
+std::function<std::string(int)> MakeWorker(const CollectOptions& options) {
+  auto tasks = std::make_shared<Tasks>(options.task);
+  return
+      [options, tasks](int i) { return CollectOne(options, options.seed + i, tasks.get()).dump(); };
+}
+
+void Add(const json& line, CollectSummary* summary) {
+  ++summary->trials;
+  summary->kept += line.at("kept").get<bool>();
+  summary->frames += line.at("frames").get<int>();
+  summary->simulated_seconds += line.at("seconds").get<double>();
+  if (line.at("success").get<bool>()) {
+    ++summary->successes;
+  } else {
+    ++summary->failures[line.at("reason")];
+  }
+}
+
+void Pack(const CollectOptions& options) {
+  std::vector<std::string> parts;
+  for (int i = 0; i < options.trials; ++i) parts.push_back(PartPath(options, options.seed + i));
+  model::PackTrialFiles(parts, options.out);
+  if (!options.keep_parts) fs::remove_all(PartsFolder(options));
+}
+
+}  // namespace
+
+sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed) {
+  sim::Random random(sim::MixSeeds({seed, kSceneStream}));
+  const bool plain = random.Uniform() < 0.5;
+  const int any_objects = 4 + random.Below(4);
+  sim::TaskOptions scene;
+  scene.image_noise = options.image_noise;
+  scene.objects = options.objects != kMixed ? NumberOrRefuse("objects", options.objects)
+                                            : (plain ? 4 : any_objects);
+  if (options.legs != kMixed) {
+    scene.legs = NumberOrRefuse("legs", options.legs);
+    if (options.objects == kMixed) scene.objects = std::max(scene.objects, scene.legs);
+  } else if (!plain) {
+    scene.legs = 3 + random.Below(std::min(5, scene.objects) - 2);
+  }
+  return scene;
+}
+
+CollectSummary Collect(const CollectOptions& options) {
+  CheckSeeds(options);
+  PrepareParts(options);
+  CollectSummary summary;
+  Progress progress("trials", options.trials);
+  const auto start = std::chrono::steady_clock::now();
+  ForkMap(
+      options.trials, options.jobs, [&] { return MakeWorker(options); },
+      [&](int, const std::string& line) {
+        Add(json::parse(line), &summary);
+        progress.Step();
+      });
+  Pack(options);
+  summary.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace prospect::tools

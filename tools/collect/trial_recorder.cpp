@@ -1,0 +1,77 @@
+#include "tools/collect/trial_recorder.h"
+
+#include <cstdio>
+
+#include "sim/random.h"
+
+namespace prospect::tools {
+namespace {
+
+constexpr std::uint64_t kPlanStream = 0x706c616eULL;
+
+float RewardOf(sim::Outcome outcome) {
+  switch (outcome) {
+    case sim::Outcome::kSuccess:
+      return 1.0f;
+    case sim::Outcome::kFailure:
+      return -1.0f;
+    case sim::Outcome::kRunning:
+      return 0.0f;
+  }
+  return 0.0f;
+}
+
+}  // namespace
+
+TrialRecorder::TrialRecorder(const sim::TaskSpec& spec, std::uint64_t seed) {
+  trial_.seed = seed;
+  trial_.task = spec.name;
+  trial_.width = spec.image_width;
+  trial_.height = spec.image_height;
+  trial_.tick_seconds = spec.tick_seconds;
+  trial_.num_actions = spec.null_action();
+  trial_.plan_length = spec.plan_length;
+  trial_.world_version = spec.world_version;
+  trial_.task_hash = TaskHashText(spec);
+}
+
+void TrialRecorder::OnFrame(const sim::Image& image, const sim::Progress& progress) {
+  trial_.images.insert(trial_.images.end(), image.rgb.begin(), image.rgb.end());
+  trial_.actions.push_back(progress.action);
+  trial_.prev_action.push_back(progress.previous_action);
+  trial_.segment.push_back(progress.segment);
+  trial_.rewards.push_back(RewardOf(progress.outcome));
+  trial_.dones.push_back(progress.outcome == sim::Outcome::kRunning ? 0 : 1);
+  trial_.segment_succeeded.resize(progress.segment + 1, 0);
+  if (progress.action_state == sim::ActionState::kSucceeded) trial_.segment_succeeded.back() = 1;
+}
+
+model::Trial TrialRecorder::Finish(const sim::Task& task, double image_noise) const {
+  model::Trial trial = trial_;
+  const sim::Progress progress = task.progress();
+  trial.outcome = sim::ToString(progress.outcome);
+  trial.reason = progress.reason;
+  trial.image_noise = image_noise;
+  trial.light = task.light();
+  for (bool present : task.PresentActions()) trial.present.push_back(present ? 1 : 0);
+  return trial;
+}
+
+model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise) {
+  task.Reset(seed);
+  TrialRecorder recorder(task.spec(), seed);
+  recorder.OnFrame(task.Observe(), task.progress());
+  sim::Random random(sim::MixSeeds({seed, kPlanStream}));
+  for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
+    sim::RunAction(task, legal[random.Below(static_cast<int>(legal.size()))], &recorder);
+  }
+  return recorder.Finish(task, image_noise);
+}
+
+std::string TaskHashText(const sim::TaskSpec& spec) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(spec.Hash()));
+  return text;
+}
+
+}  // namespace prospect::tools

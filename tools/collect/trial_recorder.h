@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "model/trial.h"
+#include "sim/rollout.h"
+#include "sim/task.h"
+#include "sim/task_factory.h"
+
+namespace prospect::tools {
+
+// Gathers a trial of a data set frame by frame while it is carried out. The first frame (label
+// null) shows the scene before the first action; each later one is what the camera saw after a
+// tick, labelled with the action of that tick. Images are kept clean. One thread.
+class TrialRecorder : public sim::FrameSink {
+ public:
+  TrialRecorder(const sim::TaskSpec& spec, std::uint64_t seed);
+
+  void OnFrame(const sim::Image& image, const sim::Progress& progress) override;
+
+  // The trial so far, with what only the task knows: outcome, objects present, light.
+  model::Trial Finish(const sim::Task& task, double image_noise) const;
+
+ private:
+  model::Trial trial_;
+};
+
+// Carries out trial `seed` of `task`: random legal plans, each action uniform among the legal ones.
+// The choice of actions has a stream of its own, so it does not depend on the world's noise.
+model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise);
+
+// Hexadecimal text of a task's hash, as data sets store it.
+std::string TaskHashText(const sim::TaskSpec& spec);
+
+}  // namespace prospect::tools

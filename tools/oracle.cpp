@@ -1,0 +1,182 @@
+// prospect-oracle: what can be achieved in the scenes of a task. Runs every legal plan in every
+// scene and prints how often random orders fail and why, and how many scenes are solvable, hopeless
+// or doubtful. Results are cached.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sim/oracle_cache.h"
+#include "sim/task_factory.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/interval.h"
+#include "tools/common/progress.h"
+
+namespace {
+
+using nlohmann::json;
+using namespace prospect;
+
+struct Options {
+  std::string task = "navigation";
+  int scenes = 100;
+  std::uint64_t seed = 1'000'000;
+  sim::TaskOptions world;
+  int jobs = 2;
+  std::string cache;
+  bool fresh = false;
+  std::string json_file;
+};
+
+void AddOptions(CLI::App* app, Options* options) {
+  app->add_option("--task", options->task, "The task")->capture_default_str();
+  app->add_option("--scenes", options->scenes, "Number of scenes")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Seed of the first scene; scene i has seed + i")
+      ->capture_default_str();
+  app->add_option("--objects", options->world.objects, "Objects on the site, 4 to 7")
+      ->capture_default_str();
+  app->add_option("--legs", options->world.legs, "Objects to investigate in a row, 3 to 5")
+      ->capture_default_str();
+  app->add_option("--jobs", options->jobs, "Processes")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app->add_option(
+      "--cache", options->cache,
+      "Folder of cached results (default: $PROSPECT_DATA/oracle or ~/.cache/prospect/oracle)");
+  app->add_flag("--fresh", options->fresh, "Consult anew and write no cache");
+  app->add_option("--json", options->json_file, "Write the figures to this file, too");
+}
+
+// One scene's line from a worker.
+json Consult(sim::Task& task, std::uint64_t seed, sim::OracleCache* cache) {
+  task.Reset(seed);
+  const sim::OracleResult result = cache != nullptr ? sim::ConsultOracleCached(task, seed, *cache)
+                                                    : sim::ConsultOracle(task, seed);
+  return {{"class", sim::ToString(result.scene_class)},
+          {"failure_share", result.random_failure_share()},
+          {"runs", static_cast<int>(result.plans.size()) * result.rounds},
+          {"plans", result.plans.size()},
+          {"frequency", result.success_frequency()},
+          {"failures", result.failures}};
+}
+
+struct Totals {
+  int scenes = 0;
+  double failure_share = 0;       // summed over scenes
+  double solvable_frequency = 0;  // summed over solvable scenes
+  std::map<std::string, int> classes = {{"solvable", 0}, {"hopeless", 0}, {"doubtful", 0}};
+  std::map<std::string, double> causes;  // reason -> share of all random runs, summed over scenes
+};
+
+void Add(const json& scene, Totals* totals) {
+  ++totals->scenes;
+  totals->failure_share += scene.at("failure_share").get<double>();
+  const std::string scene_class = scene.at("class");
+  ++totals->classes[scene_class];
+  if (scene_class == "solvable") totals->solvable_frequency += scene.at("frequency").get<double>();
+  const double runs = scene.at("runs");
+  for (const auto& [reason, count] : scene.at("failures").items()) {
+    totals->causes[reason] += count.get<double>() / runs;
+  }
+}
+
+json Report(const Options& options, const Totals& totals, double seconds) {
+  json report = {{"task", options.task},
+                 {"scenes", totals.scenes},
+                 {"first_seed", options.seed},
+                 {"objects", options.world.objects},
+                 {"legs", options.world.legs},
+                 {"random_failure_share", totals.failure_share / totals.scenes},
+                 {"seconds_per_scene", seconds * options.jobs / totals.scenes}};
+  for (const auto& [name, count] : totals.classes) {
+    const tools::Share share = tools::ShareOf(count, totals.scenes);
+    report[name] = {
+        {"count", count}, {"share", share.value}, {"low", share.low}, {"high", share.high}};
+  }
+  const int solvable = totals.classes.at("solvable");
+  report["oracle_success"] = solvable > 0 ? totals.solvable_frequency / solvable : 0.0;
+  json causes = json::object();
+  for (const auto& [reason, sum] : totals.causes) causes[reason] = sum / totals.scenes;
+  report["causes"] = causes;
+  return report;
+}
+
+void Print(const json& report) {
+  std::printf("scenes %d, objects %d, legs %d, first seed %llu\n", report["scenes"].get<int>(),
+              report["objects"].get<int>(), report["legs"].get<int>(),
+              report["first_seed"].get<unsigned long long>());
+  std::printf("random orders that fail  %5.1f %%\n",
+              100 * report["random_failure_share"].get<double>());
+  for (const auto& [reason, share] : report["causes"].items()) {
+    std::printf("  %-22s %5.1f %%\n", reason.c_str(), 100 * share.get<double>());
+  }
+  for (const char* name : {"solvable", "hopeless", "doubtful"}) {
+    const json& row = report[name];
+    std::printf("%-24s %5.1f %%  (%.1f to %.1f, %d scenes)\n", name,
+                100 * row["share"].get<double>(), 100 * row["low"].get<double>(),
+                100 * row["high"].get<double>(), row["count"].get<int>());
+  }
+  std::printf("oracle's success on solvable scenes  %.1f %%\n",
+              100 * report["oracle_success"].get<double>());
+  std::printf("%.3f s a scene and process\n", report["seconds_per_scene"].get<double>());
+}
+
+std::function<std::string(int)> MakeWorker(const Options& options) {
+  auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, options.world));
+  std::shared_ptr<sim::OracleCache> cache;
+  if (!options.fresh) {
+    const sim::OracleKey key{options.task, task->spec().world_version, options.world.objects,
+                             options.world.legs};
+    cache = std::make_shared<sim::OracleCache>(key, options.cache);
+  }
+  const std::uint64_t seed = options.seed;
+  return [task, cache, seed](int i) { return Consult(*task, seed + i, cache.get()).dump(); };
+}
+
+int Run(const Options& options) {
+  sim::MakeTask(options.task, options.world);  // refuses bad options before any process starts
+  Totals totals;
+  tools::Progress progress("scenes", options.scenes);
+  const auto start = std::chrono::steady_clock::now();
+  tools::ForkMap(
+      options.scenes, options.jobs, [&] { return MakeWorker(options); },
+      [&](int, const std::string& line) {
+        Add(json::parse(line), &totals);
+        progress.Step();
+      });
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const json report = Report(options, totals, seconds.count());
+  Print(report);
+  if (!options.json_file.empty()) std::ofstream(options.json_file) << report.dump(2) << '\n';
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("What can be achieved in the scenes of a task");
+  Options options;
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return Run(options);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "prospect-oracle: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "prospect-oracle: " << error.what() << '\n';
+    return 13;
+  }
+}
