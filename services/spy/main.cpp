@@ -1,0 +1,71 @@
+// prospect-bus: looks at the bus from a terminal.
+//   prospect-bus check --seconds S [--json FILE]   lists channels, types, rates and what could not
+//   be decoded
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "services/common/bus.h"
+#include "services/common/clock.h"
+#include "services/common/common_options.h"
+#include "services/common/json_file.h"
+#include "services/common/run_main.h"
+#include "services/common/signals.h"
+#include "services/spy/bus_survey.h"
+
+namespace prospect::services {
+namespace {
+
+struct CheckOptions {
+  CommonOptions common;
+  double seconds = 5;
+  std::string json;
+};
+
+// Listens until the time is over or a signal comes. Returns the seconds listened.
+double Listen(Bus& bus, double seconds) {
+  const std::int64_t start_ms = SteadyMs();
+  const auto length_ms = static_cast<std::int64_t>(1000 * seconds);
+  std::int64_t passed_ms = 0;
+  while (passed_ms < length_ms && !StopRequested()) {
+    bus.Poll(static_cast<int>(length_ms - passed_ms));
+    passed_ms = SteadyMs() - start_ms;
+  }
+  return static_cast<double>(std::max<std::int64_t>(passed_ms, 1)) / 1000;
+}
+
+int Check(const CheckOptions& options) {
+  ApplyCommonOptions(options.common, "bus");
+  Bus bus(options.common.bus);
+  BusSurvey survey;
+  bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
+  const double seconds = Listen(bus, options.seconds);
+  survey.Print(seconds, std::cout);
+  if (!options.json.empty()) WriteJsonFile(options.json, survey.ToJson(seconds));
+  return kExitSuccess;
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Looks at the bus.");
+  app.require_subcommand(1);
+  CheckOptions options;
+  CLI::App* check =
+      app.add_subcommand("check", "list channels, types, rates and what could not be decoded");
+  AddCommonOptions(*check, options.common);
+  check->add_option("--seconds", options.seconds, "how long to listen")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  check->add_option("--json", options.json, "also write the table to this file");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  return Check(options);
+}
+
+}  // namespace
+}  // namespace prospect::services
+
+int main(int argc, char** argv) {
+  return prospect::services::RunMain([&] { return prospect::services::Run(argc, argv); });
+}
