@@ -1,6 +1,7 @@
 #include "lcmtypes/checked_codec.h"
 
 #include <array>
+#include <cstring>
 
 namespace prospect::messages {
 namespace {
@@ -70,13 +71,14 @@ class Walker {
                                             : WalkStruct(Schema()[field.struct_index]);
   }
 
-  // The length on the wire includes the closing zero.
+  // The length on the wire includes the closing zero, which must be the only one: the encoder would
+  // stop at an earlier one, so no honest sender makes it.
   bool WalkString() {
     std::int32_t length = 0;
     if (!ReadInt32(length)) return false;
-    if (length < 1 || static_cast<std::size_t>(length) > left_ || at_[length - 1] != 0) {
-      return Refuse("length");
-    }
+    if (length < 1 || static_cast<std::size_t>(length) > left_) return Refuse("length");
+    const auto bytes = static_cast<std::size_t>(length);
+    if (std::memchr(at_, 0, bytes) != at_ + bytes - 1) return Refuse("length");
     return Skip(static_cast<std::size_t>(length));
   }
 
