@@ -59,7 +59,8 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       paths_(rules_.num_actions),
       evaluations_(&paths_),
       statistics_(&paths_, StatisticsOptions(identity)),
-      tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))) {
+      tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))),
+      quota_(parameters_.samples) {
   if (!PathTree(rules_.num_actions).Valid(executed_)) {
     throw std::invalid_argument("executed actions are not of this task: " + ToString(executed_));
   }
@@ -96,6 +97,7 @@ void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us) 
 
 int Search::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
   const int changed = statistics_.Merge(batch, now_us);
+  quota_ = std::min(quota_, FairShare());  // others were faster than the last tick knew
   Absorb();
   return changed;
 }
@@ -262,11 +264,11 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
 // call, so that the next one looks elsewhere, and is then given up.
 void Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests) {
   int asked = 0;
-  while (asked < max_new_leaves && !done(now_us) &&
-         static_cast<int>(given_up_.size()) <= parameters_.collisions) {
+  while (asked < max_new_leaves && MayStart(now_us)) {
     PathId at = kRoot;
     double value = 0;
     statistics_.Begin(at);
+    --quota_;
     if (Walk(&at, &value) == Walked::kEnded) {
       BackUp(at, value);
       Absorb();
@@ -278,7 +280,22 @@ void Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<
     }
   }
   for (const PathId leaf : given_up_) GiveUp(leaf);
+  quota_ += static_cast<std::int64_t>(given_up_.size());
   given_up_.clear();
+}
+
+bool Search::MayStart(std::int64_t now_us) const {
+  if (static_cast<int>(given_up_.size()) > parameters_.collisions) return false;
+  const bool in_turn = quota_ > 0 || statistics_.live_writers() == 1;
+  return in_turn && !done(now_us);
+}
+
+// Of the rollouts that remain, this worker's part, rounded up.
+std::int64_t Search::FairShare() const {
+  const PathTotals& root = statistics_.totals(kRoot);
+  const std::int64_t live = statistics_.live_writers();
+  const std::int64_t left = parameters_.samples - root.visits - root.in_flight;
+  return (std::max<std::int64_t>(left, 0) + live - 1) / live;
 }
 
 // T: asks for a path unless somebody just did. Returns whether it asked.
@@ -296,7 +313,9 @@ bool Search::Request(PathId id, std::int64_t now_us, std::vector<Path>* requests
 StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) {
   statistics_.SetOwnEvaluations(own_evaluations_);
   statistics_.SetFinished(finished(now_us));
-  return statistics_.MakeBatch(byte_budget, now_us);
+  StatisticsBatch batch = statistics_.MakeBatch(byte_budget, now_us);
+  quota_ = FairShare();
+  return batch;
 }
 
 std::vector<Path> Search::MissingEvaluations(int limit) const {

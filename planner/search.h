@@ -141,6 +141,8 @@ class Search {
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
   void StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
   bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
+  bool MayStart(std::int64_t now_us) const;
+  std::int64_t FairShare() const;
   void Absorb();
   void UpdateExhausted(PathId id);
   bool Exhausted(PathId id) const;
@@ -161,6 +163,7 @@ class Search {
   std::vector<PathId> given_up_;       // scratch of StartRollouts
   std::uint64_t tie_seed_;
   std::int64_t own_evaluations_ = 0;
+  std::int64_t quota_;  // rollouts that may start before the next MakeBatch, if others are live
   bool stopped_ = false;
 };
 

@@ -287,6 +287,7 @@ void SharedStatistics::SetLive(Writer* writer, bool live) {
   if (writer->live == live) return;
   writer->live = live;
   const int sign = live ? 1 : -1;
+  live_writers_ += sign;
   for (std::size_t id = 0; id < writer->rows.size(); ++id) {
     const std::int32_t in_flight = writer->rows[id].in_flight;
     if (in_flight != 0) TotalsOf(static_cast<PathId>(id)).in_flight += sign * in_flight;

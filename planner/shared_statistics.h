@@ -107,9 +107,10 @@ class SharedStatistics {
   // Digest of all rows with N > 0 of all writers; equal tables have equal digests whatever the
   // order of arrival.
   std::uint64_t digest() const;
-  std::int64_t rows() const;                // rows with N > 0, over all writers
-  std::vector<WriterView> writers() const;  // this process first, the others by id
-  bool ConvergedWithLive() const;           // every live writer's announced rows are all known here
+  std::int64_t rows() const;                          // rows with N > 0, over all writers
+  std::vector<WriterView> writers() const;            // this process first, the others by id
+  int live_writers() const { return live_writers_; }  // within their leases, this process included
+  bool ConvergedWithLive() const;  // every live writer's announced rows are all known here
   std::int64_t round_robin_rounds() const {
     return rounds_;
   }  // times the round-robin went over all rows
@@ -181,6 +182,7 @@ class SharedStatistics {
   std::size_t cursor_ = 0;     // of the round-robin, into known_
   std::int64_t rounds_ = 0;
   std::vector<PathId> newly_visited_;
+  int live_writers_ = 1;
   std::uint64_t clock_ = 0;     // versions of own rows
   std::uint64_t sequence_ = 0;  // batches made
   std::int64_t own_evaluations_ = 0;

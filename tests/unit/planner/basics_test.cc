@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "planner/evaluation.h"
+#include "planner/evaluation_table.h"
+#include "planner/path.h"
+#include "planner/path_tree.h"
+#include "planner/search_parameters.h"
+#include "planner/task_rules.h"
+
+namespace prospect::planner {
+namespace {
+
+TEST(Path, PrintsAndParses) {
+  for (const Path& path : {Path{}, Path{3}, Path{3, 0, 12}, Path{254, 254}}) {
+    EXPECT_EQ(ParsePath(ToString(path)), path);
+  }
+  EXPECT_EQ(ToString(Path{}), "root");
+  EXPECT_EQ(ToString(Path{3, 0, 12}), "3-0-12");
+}
+
+TEST(Path, RefusesWhatIsNotAPath) {
+  for (const char* text : {"", "a", "1-", "-1", "1--2", "255", "1000", "1 2"}) {
+    EXPECT_THROW(ParsePath(text), std::invalid_argument) << text;
+  }
+  std::string long_path = "0";
+  for (int i = 1; i < kMaxPathLength; ++i) long_path += "-0";
+  EXPECT_EQ(ParsePath(long_path).size(), 32u);
+  EXPECT_THROW(ParsePath(long_path + "-0"), std::invalid_argument);
+}
+
+// The hash crosses process and machine borders: it must never change.
+TEST(Path, HashIsFixedAndTellsPathsApart) {
+  EXPECT_EQ(HashPath({}), 0xcbf29ce484222325ULL);
+  EXPECT_EQ(HashPath({1, 2}), ExtendHash(ExtendHash(kRootHash, 1), 2));
+  std::set<std::uint64_t> seen;
+  for (int a = 0; a < 40; ++a) {
+    for (int b = 0; b < 40; ++b) {
+      seen.insert(HashPath({static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)}));
+    }
+    seen.insert(HashPath({static_cast<std::uint8_t>(a)}));
+  }
+  EXPECT_EQ(seen.size(), 1640u);
+}
+
+TEST(PathTree, NumbersPathsParentsFirst) {
+  PathTree tree(5);
+  EXPECT_EQ(tree.Find(Path{}), kRoot);
+  const PathId id = tree.Add(Path{4, 0, 3});
+  EXPECT_EQ(tree.size(), 4);
+  EXPECT_EQ(tree.Add(Path{4, 0, 3}), id);
+  EXPECT_EQ(tree.PathOf(id), (Path{4, 0, 3}));
+  EXPECT_EQ(tree.depth(id), 3);
+  EXPECT_EQ(tree.action(id), 3);
+  EXPECT_EQ(tree.hash(id), HashPath({4, 0, 3}));
+  EXPECT_LT(tree.parent(id), id);
+  EXPECT_EQ(tree.Find(Path{4, 1}), kNoPath);
+  EXPECT_EQ(tree.Find(Path{9}), kNoPath);
+}
+
+TEST(PathTree, RefusesForeignPaths) {
+  EXPECT_THROW(PathTree(0), std::invalid_argument);
+  EXPECT_THROW(PathTree(256), std::invalid_argument);
+  PathTree tree(5);
+  EXPECT_THROW(tree.Add(Path{5}), std::invalid_argument);
+  EXPECT_THROW(tree.Add(Path(33, 0)), std::invalid_argument);
+  EXPECT_EQ(tree.size(), 1);
+}
+
+TEST(TaskRules, MasksWhatWasDoneOrIsOnThePath) {
+  const TaskRules rules = AnyOrder(4, 3);
+  EXPECT_EQ(rules.AllowedActions({}, {}), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(rules.AllowedActions({2}, {0}), (std::vector<int>{1, 3}));
+  EXPECT_FALSE(rules.Complete({2}, {0}));
+  EXPECT_TRUE(rules.Complete({2}, {0, 1}));
+  EXPECT_TRUE(rules.AllowedActions({2}, {0, 1}).empty());
+  EXPECT_TRUE(rules.Legal({2}, {0, 1}));
+  EXPECT_FALSE(rules.Legal({2}, {0, 2}));
+  EXPECT_FALSE(rules.Legal({2}, {0, 1, 3}));
+  EXPECT_FALSE(rules.Allowed({}, {}, 4));
+  EXPECT_FALSE(rules.Allowed({}, {}, -1));
+}
+
+TEST(TaskRules, FollowsTheSuccessorTable) {
+  TaskRules rules;
+  rules.num_actions = 3;
+  rules.plan_length = 4;
+  rules.successors = {{1}, {2}, {0}, {0, 1}};
+  rules.repeats_allowed = true;
+  rules.Validate();
+  EXPECT_EQ(rules.AllowedActions({}, {}), (std::vector<int>{0, 1}));
+  EXPECT_EQ(rules.AllowedActions({1}, {}), (std::vector<int>{2}));
+  EXPECT_TRUE(rules.Legal({}, {0, 1, 2, 0}));
+  rules.repeats_allowed = false;
+  EXPECT_FALSE(rules.Legal({}, {0, 1, 2, 0}));
+}
+
+TEST(TaskRules, ValidateNamesTheFault) {
+  TaskRules rules = AnyOrder(3, 2);
+  rules.successors.pop_back();
+  EXPECT_THROW(rules.Validate(), std::invalid_argument);
+  rules = AnyOrder(3, 2);
+  rules.successors[0].push_back(3);
+  EXPECT_THROW(rules.Validate(), std::invalid_argument);
+  EXPECT_THROW(AnyOrder(3, 33), std::invalid_argument);
+  EXPECT_THROW(AnyOrder(0, 2), std::invalid_argument);
+}
+
+TEST(SearchParameters, ValidateChecksRanges) {
+  SearchParameters good;
+  EXPECT_NO_THROW(good.Validate());
+  for (void (*spoil)(SearchParameters*) :
+       {+[](SearchParameters* p) { p->c = 0; }, +[](SearchParameters* p) { p->c_done = 1.1; },
+        +[](SearchParameters* p) { p->p_min = std::numeric_limits<double>::quiet_NaN(); },
+        +[](SearchParameters* p) { p->samples = 0; }, +[](SearchParameters* p) { p->depth = 33; },
+        +[](SearchParameters* p) { p->rule = "uct"; }}) {
+    SearchParameters bad;
+    spoil(&bad);
+    EXPECT_THROW(bad.Validate(), std::invalid_argument);
+  }
+}
+
+TEST(Evaluation, QuantisationRoundTrips) {
+  for (int n = 0; n <= 65535; ++n) {
+    ASSERT_EQ(Quantize(Dequantize(static_cast<std::uint16_t>(n))), n);
+  }
+  for (float x = 0; x <= 1; x += 0.00037f) {
+    ASSERT_NEAR(Dequantize(Quantize(x)), x, 1.0 / 131070 + 1e-7);
+  }
+  EXPECT_EQ(Quantize(-1.0f), 0);
+  EXPECT_EQ(Quantize(2.0f), 65535);
+  EXPECT_EQ(Quantize(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(Evaluation, AsOnTheWireIsIdempotent) {
+  const Evaluation raw{0.3f, 0.7f, {0.123f, 0.9f}, {0.01f, 0.5f}};
+  const Evaluation once = AsOnTheWire(raw);
+  const Evaluation twice = AsOnTheWire(once);
+  EXPECT_EQ(once.q, twice.q);
+  EXPECT_EQ(once.p, twice.p);
+  EXPECT_EQ(once.value, raw.value);
+  EXPECT_NE(once.q, raw.q);
+}
+
+TEST(Evaluation, DefectFindsBadNumbers) {
+  const Evaluation good{0.3f, 0.7f, {0, 1}, {1, 0}};
+  EXPECT_STREQ(Defect(good, 2), "");
+  EXPECT_STRNE(Defect(good, 3), "");
+  for (const float bad : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN(),
+                          std::numeric_limits<float>::infinity()}) {
+    Evaluation spoilt = good;
+    spoilt.value = bad;
+    EXPECT_STRNE(Defect(spoilt, 2), "");
+    spoilt = good;
+    spoilt.done = bad;
+    EXPECT_STRNE(Defect(spoilt, 2), "");
+    spoilt = good;
+    spoilt.q[1] = bad;
+    EXPECT_STRNE(Defect(spoilt, 2), "");
+    spoilt = good;
+    spoilt.p[0] = bad;
+    EXPECT_STRNE(Defect(spoilt, 2), "");
+  }
+}
+
+TEST(EvaluationTable, KeepsTheLowerOfTwoInEitherOrder) {
+  const Evaluation low{0.3f, 0.5f, {0.25f}, {1}};
+  const Evaluation high{0.4f, 0.6f, {0.75f}, {1}};
+  for (const bool low_first : {true, false}) {
+    PathTree tree(1);
+    EvaluationTable table(&tree);
+    EXPECT_EQ(table.Put(kRoot, low_first ? low : high, 7), Stored::kNew);
+    EXPECT_EQ(table.Put(kRoot, low_first ? high : low, 7),
+              low_first ? Stored::kDuplicate : Stored::kReplaced);
+    EXPECT_EQ(table.value(kRoot), 0.3f);
+    EXPECT_EQ(table.done(kRoot), 0.5f);
+    EXPECT_EQ(table.q(kRoot)[0], Dequantize(Quantize(0.25f)));
+    EXPECT_EQ(table.duplicates(), 1);
+    EXPECT_EQ(table.size(), 1);
+    // The fingerprint decides before V.
+    EXPECT_EQ(table.Put(kRoot, high, 6), Stored::kReplaced);
+    EXPECT_EQ(table.value(kRoot), 0.4f);
+    EXPECT_EQ(table.Put(kRoot, low, 7), Stored::kDuplicate);
+  }
+}
+
+}  // namespace
+}  // namespace prospect::planner
