@@ -20,7 +20,7 @@ struct NavigationParameters {
   // one leg
   double reach = 0.5;              // m from the hull to the object's face that counts as there
   double time_limit = 10.0;        // s
-  double speed = 0.53;             // m/s
+  double speed = 0.45;             // m/s
   double turn_rate = 0.9;          // rad/s
   double acceleration = 1.2;       // m/s^2, also when braking before the object
   double turn_acceleration = 3.0;  // rad/s^2
