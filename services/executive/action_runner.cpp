@@ -1,0 +1,95 @@
+#include "services/executive/action_runner.h"
+
+#include <spdlog/spdlog.h>
+
+namespace prospect::services {
+namespace {
+
+constexpr std::int64_t kRepeatMs = 50;
+constexpr std::int64_t kNoticeMs = 5000;
+// ACTION_STATUS comes at 2 Hz: this long without one means that nobody carries the action out any
+// more.
+constexpr std::int64_t kSilentMs = 3000;
+constexpr std::int64_t kCancelMs = 1000;
+// A robot's clock is the wall's; the simulator's runs faster. So the wall limit is the simulated
+// one and some slack.
+constexpr double kLimitSlackSeconds = 30;
+
+}  // namespace
+
+std::string StateName(std::int8_t state) {
+  static const char* const names[] = {"unknown", "idle",      "running", "succeeded",
+                                      "failed",  "cancelled", "refused"};
+  return state >= 0 && state <= action_status_t::STATE_REFUSED ? names[state] : "unknown";
+}
+
+action_command_t ActionRunner::NextCommand(std::int8_t kind, int action) {
+  action_command_t command{};
+  command.executive_id = talk_.id();
+  command.command_id = ++last_command_id_;
+  command.episode_id = talk_.view().episode_id();
+  command.kind = kind;
+  command.action = action;
+  return command;
+}
+
+bool ActionRunner::Named(std::int64_t command_id) const {
+  const auto& status = talk_.view().status();
+  return status && status->executive_id == talk_.id() && status->command_id == command_id;
+}
+
+bool ActionRunner::Ended(std::int64_t command_id) const {
+  return Named(command_id) && talk_.view().status()->state != action_status_t::STATE_RUNNING;
+}
+
+action_status_t ActionRunner::CarryOut(int action) {
+  const action_command_t command = NextCommand(action_command_t::KIND_START, action);
+  try {
+    Start(command);
+    AwaitEnd(command);
+  } catch (const ExitError&) {
+    CancelQuietly();
+    throw;
+  }
+  return *talk_.view().status();
+}
+
+void ActionRunner::Start(const action_command_t& command) {
+  const bool noticed = talk_.Until([&] { return Named(command.command_id); }, kNoticeMs,
+                                   [&] { talk_.Say(command); }, kRepeatMs);
+  if (!noticed) throw ExitError(kExitTimeout, "ACTION_COMMAND was not taken notice of within 5 s");
+}
+
+void ActionRunner::AwaitEnd(const action_command_t& command) {
+  const auto limit_ms = static_cast<std::int64_t>(
+      1000 * (talk_.view().task()->action_time_limit + kLimitSlackSeconds));
+  const std::int64_t deadline_ms = SteadyMs() + limit_ms;
+  std::int64_t heard_utime = 0, heard_ms = SteadyMs();
+  const auto quiet_or_ended = [&] {
+    const std::int64_t utime = talk_.view().status()->utime;
+    if (utime != heard_utime) heard_utime = utime, heard_ms = SteadyMs();
+    return Ended(command.command_id) || SteadyMs() - heard_ms > kSilentMs;
+  };
+  if (!talk_.Until(quiet_or_ended, deadline_ms - SteadyMs())) {
+    throw ExitError(kExitTimeout,
+                    "action " + std::to_string(command.action) + " did not end in time; cancelled");
+  }
+  if (!Ended(command.command_id)) {
+    throw ExitError(kExitServiceLost, "ACTION_STATUS fell silent for 3 s while action " +
+                                          std::to_string(command.action) +
+                                          " ran: is the simulator alive?");
+  }
+}
+
+// Runs on the way out, perhaps after a stop signal: so it polls the bus itself and throws nothing.
+void ActionRunner::CancelQuietly() {
+  const action_command_t command = NextCommand(action_command_t::KIND_CANCEL, -1);
+  const std::int64_t deadline_ms = SteadyMs() + kCancelMs;
+  Periodic due(kRepeatMs);
+  while (!Ended(command.command_id) && SteadyMs() < deadline_ms) {
+    if (due.Due(SteadyMs())) talk_.Say(command);
+    talk_.bus().Poll(static_cast<int>(due.Remaining(SteadyMs())));
+  }
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lcmtypes/messages.h"
+#include "services/executive/conversation.h"
+
+namespace prospect::services {
+
+/// Carries actions out through ACTION_COMMAND and ACTION_STATUS: a command is repeated until the
+/// status names it, and a stop signal, or an action that outlasts its limit, sends CANCEL before
+/// anything else happens. One thread; the conversation must outlive it.
+class ActionRunner {
+ public:
+  explicit ActionRunner(Conversation& talk) : talk_(talk) {}
+
+  /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled
+  /// or refused. Throws kExitServiceLost when whoever carries actions out falls silent,
+  /// kExitTimeout when it takes no notice of the command or the action never ends, and
+  /// kExitInterrupted after a stop signal; the action is cancelled in each case.
+  action_status_t CarryOut(int action);
+
+  /// Commands sent so far, repeats left out.
+  std::int64_t commands() const { return last_command_id_; }
+
+ private:
+  action_command_t NextCommand(std::int8_t kind, int action);
+  bool Named(std::int64_t command_id) const;
+  bool Ended(std::int64_t command_id) const;
+  void Start(const action_command_t& command);
+  void AwaitEnd(const action_command_t& command);
+  void CancelQuietly();
+
+  Conversation& talk_;
+  std::int64_t last_command_id_ = 0;
+};
+
+/// "idle", "running", "succeeded", "failed", "cancelled", "refused".
+std::string StateName(std::int8_t state);
+
+}  // namespace prospect::services

@@ -1,0 +1,46 @@
+#include "services/executive/bus_view.h"
+
+#include "services/common/clock.h"
+
+namespace prospect::services {
+namespace {
+
+// Frames kept for the video: 10 minutes at 10 Hz, 74 MB at 64x64. An episode of ours lasts one.
+constexpr std::size_t kMostFrames = 6000;
+
+}  // namespace
+
+Picture PictureOf(const observation_t& observation) {
+  return {observation.width, observation.height, observation.data};
+}
+
+BusView::BusView(Bus& bus) {
+  bus.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
+  bus.Subscribe<model_info_t>(
+      [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
+  bus.Subscribe<observation_t>(
+      [this](const observation_t& observation) { OnObservation(observation); });
+  bus.Subscribe<action_status_t>([this](const action_status_t& status) {
+    if (status.episode_id == episode_id_) status_ = status;
+  });
+  bus.Subscribe<label_t>([this](const label_t& label) {
+    if (label.episode_id == episode_id_) label_ = label;
+  });
+}
+
+void BusView::Follow(std::int64_t episode_id) {
+  episode_id_ = episode_id;
+  latest_.reset();
+  status_.reset();
+  label_.reset();
+  frames_.clear();
+}
+
+void BusView::OnObservation(const observation_t& observation) {
+  if (episode_id_ < 0) Follow(observation.episode_id);
+  if (observation.episode_id != episode_id_) return;
+  if (frames_.size() < kMostFrames) frames_[observation.frame] = PictureOf(observation);
+  if (!latest_ || observation.frame >= latest_->frame) latest_ = observation;
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "services/binding/server_list.h"
+#include "services/common/bus.h"
+#include "services/executive/picture.h"
+
+namespace prospect::services {
+
+/// What the bus has said about the world: latest TASK, pictures and status of the episode that is
+/// followed, and the model servers. Belongs to the bus's thread; the bus must outlive it.
+class BusView {
+ public:
+  explicit BusView(Bus& bus);
+
+  /// From now on pictures and status of this episode count; those of another are forgotten and left
+  /// alone.
+  void Follow(std::int64_t episode_id);
+  /// Takes whatever episode the next picture belongs to.
+  void FollowAny() { episode_id_ = -1; }
+
+  const std::optional<task_t>& task() const { return task_; }
+  std::int64_t episode_id() const { return episode_id_; }
+  /// Latest picture of the episode, by frame number; nothing before the first.
+  const std::optional<observation_t>& latest() const { return latest_; }
+  const std::optional<action_status_t>& status() const { return status_; }
+  const std::optional<label_t>& label() const { return label_; }
+  const ServerList& servers() const { return servers_; }
+  /// Every picture of the episode heard so far, by frame number.
+  const std::map<std::int64_t, Picture>& frames() const { return frames_; }
+
+ private:
+  void OnObservation(const observation_t& observation);
+
+  ServerList servers_;
+  std::optional<task_t> task_;
+  std::int64_t episode_id_ = -1;
+  std::optional<observation_t> latest_;
+  std::optional<action_status_t> status_;
+  std::optional<label_t> label_;
+  std::map<std::int64_t, Picture> frames_;
+};
+
+/// The picture in an observation.
+Picture PictureOf(const observation_t& observation);
+
+}  // namespace prospect::services

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "services/common/bus.h"
+#include "services/common/clock.h"
+#include "services/common/health.h"
+#include "services/common/health_monitor.h"
+#include "services/executive/bus_view.h"
+
+namespace prospect::services {
+
+/// The executive's side of the bus: its health, who else lives, what the world looks like, and
+/// waiting done right: every wait goes on listening, keeps the executive's own HEALTH alive and
+/// ends on a stop signal. Belongs to one thread; the bus must outlive it.
+class Conversation {
+ public:
+  explicit Conversation(Bus& bus);
+
+  /// Listens for at most `wait_ms`. Throws ExitError (kExitInterrupted) after SIGINT or SIGTERM.
+  void Turn(int wait_ms);
+
+  /// Listens until `condition` holds (true) or `timeout_ms` have passed (false). `repeat`, if any,
+  /// is called at once and then every `period_ms`: for what must be said again until it is heard.
+  /// Throws as Turn does, and what `repeat` throws.
+  bool Until(const std::function<bool()>& condition, std::int64_t timeout_ms,
+             const std::function<void()>& repeat = nullptr, std::int64_t period_ms = 100);
+
+  /// Stamps a message and publishes it.
+  template <class T>
+  void Say(T message) {
+    message.utime = UtimeNow();
+    bus_.Publish(message);
+  }
+
+  Bus& bus() { return bus_; }
+  HealthBeacon& health() { return health_; }
+  HealthMonitor& monitor() { return monitor_; }
+  BusView& view() { return view_; }
+  std::int64_t id() const { return health_.instance_id(); }
+
+ private:
+  Bus& bus_;
+  HealthBeacon health_;
+  HealthMonitor monitor_;
+  BusView view_;
+};
+
+}  // namespace prospect::services

@@ -1,0 +1,329 @@
+#include "services/executive/episode.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "services/binding/search_messages.h"
+#include "services/executive/policy.h"
+#include "services/executive/preparation.h"
+
+namespace prospect::services {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+search_image_t ImageMessage(const observation_t& observation) {
+  search_image_t image{};
+  // A picture is named by episode and frame: the same name is the same picture in every search of
+  // the episode.
+  image.image_id =
+      ((observation.episode_id & 0x7fffffffffLL) << 24) | (observation.frame & 0xffffff);
+  image.encoding = observation.encoding;
+  image.width = observation.width;
+  image.height = observation.height;
+  image.data = observation.data;
+  image.num_bytes = observation.num_bytes;
+  return image;
+}
+
+std::string Number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
+  StepRecord record;
+  record.action = step.action;
+  record.name = name;
+  record.score = step.score;
+  record.value = step.value;
+  record.done = step.done;
+  record.visits = step.visits;
+  record.predicted = step.done >= 0.5f;
+  return record;
+}
+
+}  // namespace
+
+std::string WhyNot(const planner::Future& future, double chosen_score) {
+  const planner::PlanStep last = future.steps.empty() ? planner::PlanStep{} : future.steps.back();
+  switch (future.rejection) {
+    case planner::Rejection::kNotPermitted:
+      return "ruled out: nothing there to do it with (p " + Number("%.3f", last.prior) + ")";
+    case planner::Rejection::kNotDone:
+      return "would not finish (f " + Number("%.2f", last.done) + ")";
+    case planner::Rejection::kLowValue:
+      return "leads to failure (V " + Number("%.2f", last.value) + ")";
+    case planner::Rejection::kLowScore:
+      return "too unlikely to succeed (score " + Number("%.2f", future.score) + ")";
+    case planner::Rejection::kNone:
+      break;
+  }
+  return "less likely to succeed (score " + Number("%.2f", future.score) +
+         Number(" against %.2f)", chosen_score);
+}
+
+Episode::Episode(Conversation& talk, const ExecutiveOptions& options)
+    : talk_(talk), options_(options), session_(talk), predictions_(talk), actions_(talk) {}
+
+EpisodeRecord Episode::Run() {
+  Prepare();
+  if (options_.policy == "search") {
+    RunSearchPolicy();
+  } else if (options_.policy == "collect") {
+    talk_.Until([&] { return talk_.view().label().has_value(); }, 3000);
+    if (!talk_.view().label())
+      throw ExitError(kExitTimeout, "policy collect needs LABEL, and none was heard");
+    RunFixedPlan(CollectPlan(*talk_.view().task(), *talk_.view().label(),
+                             static_cast<std::uint64_t>(options_.seed)));
+  } else {
+    RunFixedPlan(ParsePlan(options_.policy));
+  }
+  Conclude();
+  return std::move(record_);
+}
+
+void Episode::Prepare() {
+  talk_.health().SetState(health_t::STATE_BUSY);
+  auto since = Clock::now();
+  AwaitServices(talk_, options_);
+  AddSeconds("services", since);
+  since = Clock::now();
+  PrepareScene(talk_, options_);
+  first_ = latest_ = Look(talk_, 0);
+  AddSeconds("look", since);
+  if (options_.policy == "search") model_ = ChooseModel(talk_, options_);
+
+  const task_t& task = *talk_.view().task();
+  record_.task = task.name;
+  record_.seed = talk_.view().episode_id();
+  record_.policy = options_.policy;
+  record_.plan_length = task.plan_length;
+  record_.first = PictureOf(first_);
+  record_.frames_per_second = task.tick_seconds > 0 ? 1 / task.tick_seconds : 10;
+  record_.engine = model_.engine;
+  record_.weights = model_.server_id ? HexText(model_.weights_hash) : "";
+  if (!talk_.view().label()) return;
+  const auto& present = talk_.view().label()->present;
+  record_.objects = static_cast<int>(std::count(present.begin(), present.end(), 1));
+}
+
+SearchQuestion Episode::MakeQuestion() const {
+  const task_t& task = *talk_.view().task();
+  SearchQuestion question;
+  question.first = ImageMessage(first_);
+  question.present = ImageMessage(latest_);
+  question.budget_ms = options_.budget_ms;
+  auto& root = question.root;
+  root.weights_hash = model_.weights_hash;
+  root.task_hash = task.task_hash;
+  root.task = task.name;
+  root.episode_id = record_.seed;
+  root.image0_id = question.first.image_id;
+  root.image_id = question.present.image_id;
+  root.executed.assign(executed_.begin(), executed_.end());
+  root.num_executed = static_cast<std::int32_t>(root.executed.size());
+  root.time_left = -1;
+  root.leaves = options_.leaves;
+  root.sharing = options_.sharing ? 1 : 0;
+
+  planner::SearchParameters parameters = options_.search;
+  const int remaining = task.plan_length - static_cast<int>(executed_.size());
+  parameters.depth = parameters.depth > 0 ? std::min(parameters.depth, remaining) : remaining;
+  parameters.refusal_threshold =
+      options_.refusal_threshold >= 0 ? options_.refusal_threshold : model_.refusal_threshold;
+  SetParameters(parameters, &root);
+  return question;
+}
+
+// One for each first action that was not chosen: the best future through it, or the one that came
+// furthest.
+std::vector<planner::Future> Episode::OtherFirstActions(const planner::Plan& plan) const {
+  std::vector<planner::Future> others;
+  std::set<int> seen;
+  if (plan.ok()) seen.insert(plan.best.path.front());
+  for (const auto* list : {&plan.runners_up, &plan.rejected}) {
+    for (const auto& future : *list) {
+      if (!future.path.empty() && seen.insert(future.path.front()).second) others.push_back(future);
+    }
+  }
+  return others;
+}
+
+void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
+  const auto since = Clock::now();
+  const auto others = OtherFirstActions(plan);
+  std::vector<planner::Path> wanted;
+  for (std::size_t n = 1; n <= plan.best.path.size(); ++n) {
+    wanted.emplace_back(plan.best.path.begin(),
+                        plan.best.path.begin() + static_cast<std::ptrdiff_t>(n));
+  }
+  for (const auto& future : others) wanted.push_back({future.path.front()});
+  auto pictures = predictions_.Fetch(session_.root(), wanted);
+
+  planner::Path prefix;
+  for (const auto& step : plan.best.steps) {
+    prefix.push_back(static_cast<std::uint8_t>(step.action));
+    record->steps.push_back(StepFrom(step, ActionName(step.action)));
+    record->steps.back().imagined = pictures[prefix];
+  }
+  for (const auto& future : others) {
+    FutureRecord other;
+    for (const auto action : future.path) other.names.push_back(ActionName(action));
+    other.score = future.score;
+    other.value = future.steps.back().value;
+    other.done = future.steps.back().done;
+    other.visits = future.visits;
+    other.why = WhyNot(future, plan.best.score);
+    other.imagined = pictures[{future.path.front()}];
+    record->others.push_back(other);
+  }
+  AddSeconds("pictures", since);
+}
+
+SearchRecord Episode::SearchOnce() {
+  const auto since = Clock::now();
+  const SearchQuestion question = MakeQuestion();
+  const SearchAnswer answer = session_.Search(question);
+  AddSeconds("search", since);
+
+  SearchRecord record;
+  record.act = answer.plan.ok();
+  record.reason = answer.plan.ok() ? "" : answer.plan.reason;
+  record.ended_by = answer.ended_by;
+  record.score = answer.plan.best.score;
+  record.threshold = ParameterOr(question.root, "refusal_threshold", 0);
+  record.root_value = answer.plan.root_value;
+  record.rollouts = answer.rollouts;
+  record.overshoot = std::max<std::int64_t>(0, answer.rollouts - question.root.samples);
+  record.evaluations = answer.evaluations;
+  record.requested = answer.requested;
+  record.workers = answer.workers;
+  record.converged = answer.converged;
+  record.seconds = answer.seconds;
+  AddImagined(answer.plan, &record);
+  spdlog::info("search {}: {} rollouts, {} evaluations, {:.2f} s; {}", record_.searches.size() + 1,
+               record.rollouts, record.evaluations, record.seconds, Summary(answer.plan));
+  return record;
+}
+
+void Episode::RunSearchPolicy() {
+  for (;;) {
+    record_.searches.push_back(SearchOnce());
+    const SearchRecord& search = record_.searches.back();
+    PublishPlan(search);
+    if (!search.act) {
+      return Verdict(record_.acts.empty() ? "refused" : "stopped", search.reason);
+    }
+    if (!Act(search.steps.front().action)) return;
+  }
+}
+
+void Episode::RunFixedPlan(const std::vector<int>& plan) {
+  for (const int action : plan) {
+    if (!Act(action)) return;
+  }
+  Verdict("stopped", "the given plan ended before the task was complete");
+}
+
+// Returns whether the episode goes on.
+bool Episode::Act(int action) {
+  const auto since = Clock::now();
+  const std::int64_t begun_us = latest_.sim_time_us;
+  const action_status_t status = actions_.CarryOut(action);
+  if (status.state == action_status_t::STATE_REFUSED) {
+    Verdict(record_.acts.empty() ? "failed" : "stopped",
+            ActionName(action) + " was refused: " + status.reason);
+    return false;
+  }
+  latest_ = Look(talk_, status.frame);
+  AddSeconds("act", since);
+
+  ActRecord act;
+  act.action = action;
+  act.name = ActionName(action);
+  act.observed = StateName(status.state);
+  act.reason = status.reason;
+  act.sim_seconds = static_cast<double>(latest_.sim_time_us - begun_us) * 1e-6;
+  act.picture = PictureOf(latest_);
+  record_.acts.push_back(act);
+  executed_.push_back(action);
+  if (!record_.searches.empty()) PublishPlan(record_.searches.back());
+  spdlog::info("{} {}{}", act.name, act.observed, act.reason.empty() ? "" : ": " + act.reason);
+
+  if (status.state != action_status_t::STATE_SUCCEEDED) {
+    Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped",
+            act.name + " " + act.observed + (act.reason.empty() ? "" : ": " + act.reason));
+    return false;
+  }
+  if (status.outcome == label_t::OUTCOME_SUCCESS ||
+      static_cast<int>(executed_.size()) >= talk_.view().task()->plan_length) {
+    Verdict("solved", "");
+    return false;
+  }
+  return true;
+}
+
+void Episode::PublishPlan(const SearchRecord& record) {
+  plan_t plan{};
+  plan.executive_id = talk_.id();
+  plan.search_id = session_.root().search_id;
+  plan.epoch = session_.root().epoch;
+  plan.episode_id = record_.seed;
+  plan.decision = record.act ? plan_t::DECISION_ACT : plan_t::DECISION_REFUSE;
+  plan.reason = record.reason;
+  plan.score = record.score;
+  plan.rollouts = record.rollouts;
+  plan.evaluations = record.evaluations;
+  // The search looked from the state after the actions before it: what was carried out since is
+  // told as observed.
+  plan.num_executed =
+      static_cast<std::int32_t>(record_.acts.size() - (record_.searches.size() - 1));
+  for (std::size_t i = 0; i < record.steps.size(); ++i) {
+    const auto& step = record.steps[i];
+    plan_step_t message{};
+    message.action = step.action;
+    message.name = step.name;
+    message.score = step.score;
+    message.value = step.value;
+    message.done = step.done;
+    message.visits = step.visits;
+    message.predicted = step.predicted ? 1 : 0;
+    const std::size_t act = record_.searches.size() - 1 + i;
+    if (act < record_.acts.size()) {
+      message.observed = record_.acts[act].observed == "succeeded"
+                             ? action_status_t::STATE_SUCCEEDED
+                             : action_status_t::STATE_FAILED;
+    }
+    plan.steps.push_back(message);
+  }
+  plan.num_steps = static_cast<std::int32_t>(plan.steps.size());
+  talk_.Say(plan);
+}
+
+void Episode::Conclude() {
+  for (const auto& [frame, picture] : talk_.view().frames()) record_.frames.push_back(picture);
+  talk_.health().SetState(health_t::STATE_DRAINING, record_.outcome);
+  talk_.health().PublishNow();
+}
+
+void Episode::Verdict(const std::string& outcome, const std::string& reason) {
+  record_.outcome = outcome;
+  record_.reason = reason;
+}
+
+std::string Episode::ActionName(int action) const {
+  const auto& actions = talk_.view().task()->actions;
+  const auto index = static_cast<std::size_t>(action);
+  return index < actions.size() ? actions[index].name : "action " + std::to_string(action);
+}
+
+void Episode::AddSeconds(const char* phase, Clock::time_point since) {
+  record_.phase_seconds[phase] += std::chrono::duration<double>(Clock::now() - since).count();
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "services/executive/action_runner.h"
+#include "services/executive/conversation.h"
+#include "services/executive/episode_record.h"
+#include "services/executive/options.h"
+#include "services/executive/predictions.h"
+#include "services/executive/search_session.h"
+
+namespace prospect::services {
+
+/// One episode from the first look to the verdict: look, search, act on the first action of the
+/// plan, look again, until the plan is complete, an action fails, or the search refuses. The
+/// episode's first picture stays x0 of every search; the latest is x. Under the policies "plan" and
+/// "collect" the actions are simply carried out. One thread; use once; the conversation must
+/// outlive it.
+class Episode {
+ public:
+  Episode(Conversation& talk, const ExecutiveOptions& options);
+
+  /// Runs to the end. Throws ExitError when services are missing or fall silent, or after a stop
+  /// signal.
+  EpisodeRecord Run();
+
+ private:
+  void Prepare();
+  void RunSearchPolicy();
+  void RunFixedPlan(const std::vector<int>& plan);
+  SearchRecord SearchOnce();
+  SearchQuestion MakeQuestion() const;
+  bool Act(int action);
+  void AddImagined(const planner::Plan& plan, SearchRecord* record);
+  std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
+  void PublishPlan(const SearchRecord& record);
+  void Conclude();
+  void Verdict(const std::string& outcome, const std::string& reason);
+  std::string ActionName(int action) const;
+  void AddSeconds(const char* phase, std::chrono::steady_clock::time_point since);
+
+  Conversation& talk_;
+  ExecutiveOptions options_;
+  SearchSession session_;
+  PredictionInbox predictions_;
+  ActionRunner actions_;
+  EpisodeRecord record_;
+  observation_t first_{};
+  observation_t latest_{};
+  model_info_t model_{};
+  std::vector<int> executed_;
+};
+
+/// A person's words for why a future was not chosen.
+std::string WhyNot(const planner::Future& future, double chosen_score);
+
+}  // namespace prospect::services

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "services/executive/picture.h"
+
+namespace prospect::services {
+
+// What one episode was, for people and files: plain data, filled by Episode, read by everything
+// that reports.
+
+/// One imagined step of a plan.
+struct StepRecord {
+  int action = -1;
+  std::string name;
+  double score = 0;         // V here times f along the path up to here
+  double value = 0;         // V
+  double done = 0;          // f
+  std::int64_t visits = 0;  // N
+  bool predicted = false;   // imagined to succeed
+  Picture imagined;         // the predicted picture; empty when it could not be had
+};
+
+/// A future that was not chosen.
+struct FutureRecord {
+  std::vector<std::string> names;
+  double score = 0;
+  double value = 0;
+  double done = 0;
+  std::int64_t visits = 0;
+  std::string why;   // one short sentence
+  Picture imagined;  // after its first action
+};
+
+/// One search and its answer.
+struct SearchRecord {
+  bool act = false;              // false: refused
+  std::string reason;            // of a refusal
+  std::string ended_by;          // "samples", "exhausted", "deadline", ...
+  double score = 0;              // of the whole plan
+  double threshold = 0;          // plans below it are refused
+  double root_value = 0;         // V of the scene as it was
+  std::int64_t rollouts = 0;     // of all workers
+  std::int64_t overshoot = 0;    // rollouts beyond the budget
+  std::int64_t evaluations = 0;  // distinct paths evaluated
+  std::int64_t requested = 0;    // evaluations that workers asked for, summed over workers
+  int workers = 0;
+  bool converged = false;  // every live worker's final rows were heard
+  double seconds = 0;
+  std::vector<StepRecord> steps;
+  std::vector<FutureRecord> others;  // first actions that were not chosen
+};
+
+/// One action as it was carried out.
+struct ActRecord {
+  int action = -1;
+  std::string name;
+  std::string observed;    // "succeeded", "failed", "cancelled"
+  std::string reason;      // of a failure
+  double sim_seconds = 0;  // simulated time it took
+  Picture picture;         // what the camera saw when it ended
+};
+
+struct EpisodeRecord {
+  std::string task;
+  std::int64_t seed = 0;
+  std::string policy;
+  int objects = 0;
+  int plan_length = 0;
+  std::string weights;  // hash, hexadecimal
+  std::string engine;
+  std::string outcome;                 // "solved", "refused", "stopped", "failed"
+  std::string reason;                  // empty when solved
+  Picture first;                       // what the camera saw at the start
+  std::vector<SearchRecord> searches;  // one before each action, under policy "search"
+  std::vector<ActRecord> acts;
+  std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"
+  std::vector<Picture> frames;    // every picture of the episode that was heard, in order
+  double frames_per_second = 10;  // of simulated time
+};
+
+}  // namespace prospect::services

@@ -1,0 +1,34 @@
+#include "services/executive/episode_video.h"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+#include <stdexcept>
+
+namespace prospect::services {
+namespace {
+
+constexpr int kEnlargedSide = 448;
+
+cv::Mat Enlarged(const Picture& picture) {
+  const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
+                    const_cast<std::uint8_t*>(picture.rgb.data()));
+  const int scale = std::max(1, kEnlargedSide / std::max(picture.width, picture.height));
+  cv::Mat large, bgr;
+  cv::resize(rgb, large, {}, scale, scale, cv::INTER_CUBIC);
+  cv::cvtColor(large, bgr, cv::COLOR_RGB2BGR);
+  return bgr;
+}
+
+}  // namespace
+
+void WriteEpisodeVideo(const EpisodeRecord& record, const std::string& path) {
+  if (record.frames.empty()) return;
+  const cv::Mat first = Enlarged(record.frames.front());
+  cv::VideoWriter video(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), record.frames_per_second,
+                        first.size());
+  if (!video.isOpened())
+    throw std::runtime_error("cannot write " + path + ": no MPEG-4 encoder, or no place to write");
+  for (const auto& frame : record.frames) video.write(Enlarged(frame));
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,143 @@
+// prospect-executive: one episode against services already up: look, search, act, look again; then
+// tell what happened.
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "services/common/common_options.h"
+#include "services/common/run_main.h"
+#include "services/common/signals.h"
+#include "services/executive/conversation.h"
+#include "services/executive/episode.h"
+#include "services/executive/episode_video.h"
+#include "services/executive/options.h"
+#include "services/executive/plan_picture.h"
+#include "services/executive/policy.h"
+#include "services/executive/report.h"
+
+namespace {
+
+using namespace prospect::services;
+
+void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
+  app.add_option("--seed", options.seed, "scene")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--objects", options.objects, "objects on the site; 0: as the simulator stands")
+      ->check(CLI::Range(0, 7))
+      ->capture_default_str();
+  app.add_option("--legs", options.legs, "actions in a complete plan; 0: as the simulator stands")
+      ->check(CLI::Range(0, 5))
+      ->capture_default_str();
+  app.add_flag("!--no-reset", options.reset, "take the scene as it is, as on a robot");
+  app.add_option("--policy", options.policy,
+                 "search; plan:0,2,1 carries these actions out; collect carries a random plan out")
+      ->capture_default_str();
+  app.add_option("--out", options.out,
+                 "folder for result.json, plan.png, episode.mp4; none: nothing is written")
+      ->envname("PROSPECT_OUT");
+}
+
+void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
+  auto& search = options.search;
+  app.add_option("--samples", search.samples, "rollouts a search, over all workers")
+      ->check(CLI::Range(1, 100000000))
+      ->capture_default_str();
+  app.add_option("--depth", search.depth, "actions to look ahead; 0: what remains of the plan")
+      ->check(CLI::Range(0, 32))
+      ->capture_default_str();
+  app.add_option("--rule", search.rule, "selection rule")
+      ->check(CLI::IsMember({"paper", "puct", "puct-virtual-loss", "random"}))
+      ->capture_default_str();
+  app.add_option("--c", search.c, "exploration constant of the paper's rule")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--c-done", search.c_done, "f below it: the action failed")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--v-failed", search.v_failed, "V below it: not followed further")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--p-min", search.p_min, "p below it: the action cannot follow")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--search-seed", search.seed, "breaks ties")->capture_default_str();
+  app.add_option("--refusal-threshold", options.refusal_threshold,
+                 "plans that score less are refused; -1: the weights' own")
+      ->check(CLI::Range(-1.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_flag("!--no-sharing", options.sharing, "workers search apart; for comparison");
+  app.add_option("--budget-ms", options.budget_ms, "time for one search; -1: none")
+      ->check(CLI::Range(-1, 86400000))
+      ->capture_default_str();
+}
+
+void AddServiceOptions(CLI::App& app, ExecutiveOptions& options) {
+  app.add_option("--workers", options.workers, "planner workers to wait for")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--weights-hash", options.weights_hash,
+                 "16 hexadecimal digits; empty: what the first server holds");
+  app.add_option("--services-timeout-ms", options.services_timeout_ms,
+                 "how long to wait for services")
+      ->check(CLI::Range(0, 3600000))
+      ->capture_default_str();
+}
+
+ExitCode CodeOf(const EpisodeRecord& record) {
+  if (record.outcome == "solved") return kExitSuccess;
+  return record.outcome == "refused" ? kExitRefusal : kExitTaskFailure;
+}
+
+void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode code) {
+  if (out.empty()) return;
+  try {
+    std::filesystem::create_directories(out);
+    WriteText(out + "/result.json", ResultJson(record, code));
+    WritePlanPicture(record, out + "/plan.png");
+    WriteEpisodeVideo(record, out + "/episode.mp4");
+  } catch (const std::exception& error) {
+    throw ExitError(kExitDisk, error.what());
+  }
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Executive: one episode against services already up");
+  CommonOptions common;
+  ExecutiveOptions options;
+  options.search.samples = 30;
+  options.search.depth = 0;
+  AddCommonOptions(app, common);
+  AddSceneOptions(app, options);
+  AddSearchOptions(app, options);
+  AddServiceOptions(app, options);
+  try {
+    app.parse(argc, argv);
+    const std::string defect = PolicyDefect(options.policy);
+    if (!defect.empty()) throw CLI::ValidationError("--policy", defect);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  ApplyCommonOptions(common, "executive");
+
+  Bus bus(common.bus);
+  Conversation talk(bus);
+  talk.monitor().RequireOwnBus();
+  const EpisodeRecord record = Episode(talk, options).Run();
+  const ExitCode code = CodeOf(record);
+  std::cout << PlanTable(record) << std::flush;
+  WriteFiles(record, options.out, code);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return RunMain([&] { return Run(argc, argv); });
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "planner/search_parameters.h"
+
+namespace prospect::services {
+
+/// What a person may ask of one episode; the defaults are those of the command line.
+struct ExecutiveOptions {
+  std::int64_t seed = 2000000;       ///< scene
+  int objects = 0;                   ///< on the site; 0: as the simulator stands
+  int legs = 0;                      ///< actions in a complete plan; 0: as the simulator stands
+  bool reset = true;                 ///< false: take the scene as it is, as on a robot
+  std::string policy = "search";     ///< "search", "plan:0,1,2", or "collect"
+  planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
+  double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
+  int leaves = 2;                 ///< evaluations a worker may have in flight
+  bool sharing = true;            ///< workers take each other's statistics and evaluations
+  std::int64_t budget_ms = -1;    ///< time for one search; negative: none
+  int workers = 1;                ///< planner workers to wait for before the first search
+  std::string weights_hash;       ///< 16 hexadecimal digits; empty: whatever the first server holds
+  int services_timeout_ms = 15000;  ///< how long to wait for services to appear
+  std::string out;                  ///< folder for results; empty: none are written
+};
+
+}  // namespace prospect::services

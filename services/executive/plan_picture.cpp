@@ -1,0 +1,247 @@
+#include "services/executive/plan_picture.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "services/executive/canvas.h"
+#include "services/executive/report.h"
+
+namespace prospect::services {
+namespace {
+
+constexpr int kMargin = 28;
+constexpr int kGap = 22;
+constexpr int kLabelWidth = 128;
+constexpr int kLeastWidth = 1000;
+
+// Blue, green, red.
+const cv::Scalar kInk(40, 40, 40);
+const cv::Scalar kFaint(120, 120, 120);
+const cv::Scalar kRule(205, 205, 205);
+const cv::Scalar kGood(70, 140, 40);
+const cv::Scalar kBad(50, 50, 200);
+const cv::Scalar kDoubt(20, 130, 220);
+const cv::Scalar kImagined(190, 120, 50);
+
+const Canvas::Style kTitle{0.85, kInk, false};
+const Canvas::Style kBody{0.5, kInk, false};
+const Canvas::Style kHeading{0.6, kInk, false};
+const Canvas::Style kSmall{0.42, kFaint, false};
+
+// One column: a step, or the start.
+struct Column {
+  std::string title;
+  Picture far;   // imagined before the first action
+  Picture near;  // imagined one step ahead
+  Picture observed;
+  std::string far_name;  // of the action imagined then, when it was another one
+  std::vector<std::string> figures;
+  std::string verdict;
+  cv::Scalar verdict_color = kInk;
+};
+
+struct Layout {
+  int columns = 0;
+  int side = 256;
+  int Left(int column) const { return kMargin + kLabelWidth + column * (side + kGap); }
+  int Width() const { return std::max(kLeastWidth, Left(columns) + kMargin); }
+};
+
+std::string Number(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+cv::Scalar OutcomeColor(const std::string& outcome) {
+  if (outcome == "solved") return kGood;
+  return outcome == "refused" ? kDoubt : kBad;
+}
+
+std::vector<std::string> Figures(const TableRow& row) {
+  if (!row.searched) return {};
+  const auto& step = row.imagined;
+  return {Number("score %.3f", step.score),
+          Number("V %.3f", step.value) + Number("   f %.3f", step.done),
+          std::to_string(step.visits) + " visits"};
+}
+
+std::string Observed(const TableRow& row, const EpisodeRecord& record) {
+  if (row.observed.empty()) return "not carried out";
+  const auto& act = record.acts[static_cast<std::size_t>(row.step) - 1];
+  const std::string text = row.observed + Number(" after %.1f s", act.sim_seconds);
+  return act.reason.empty() ? text : text + ": " + act.reason;
+}
+
+// Step `row` as it was imagined before the first action, if the first plan went that far.
+const StepRecord* FarStep(const EpisodeRecord& record, int step) {
+  if (record.searches.empty()) return nullptr;
+  const auto& plan = record.searches.front().steps;
+  const auto index = static_cast<std::size_t>(step) - 1;
+  return index < plan.size() ? &plan[index] : nullptr;
+}
+
+Column StepColumn(const TableRow& row, const EpisodeRecord& record) {
+  Column column;
+  column.title = std::to_string(row.step) + ". " + row.imagined.name;
+  if (const StepRecord* far = FarStep(record, row.step)) {
+    column.far = far->imagined;
+    if (far->name != row.imagined.name) column.far_name = "then: " + far->name;
+  }
+  const auto index = static_cast<std::size_t>(row.step) - 1;
+  // One step ahead only where a search began with this very step.
+  if (index < record.searches.size() && index > 0) column.near = row.imagined.imagined;
+  if (index < record.acts.size()) column.observed = record.acts[index].picture;
+  column.figures = Figures(row);
+  column.verdict = Observed(row, record);
+  column.verdict_color = row.observed == "succeeded" ? kGood : row.observed.empty() ? kFaint : kBad;
+  return column;
+}
+
+std::vector<Column> Columns(const EpisodeRecord& record) {
+  Column start;
+  start.title = "Start";
+  start.observed = record.first;
+  start.verdict = "what the camera saw first";
+  start.verdict_color = kFaint;
+  std::vector<Column> columns{start};
+  for (const auto& row : TableRows(record)) columns.push_back(StepColumn(row, record));
+  return columns;
+}
+
+int DrawHeader(Canvas& canvas, const EpisodeRecord& record) {
+  const int width = canvas.width() - 2 * kMargin;
+  int y =
+      canvas.Text(kMargin, kMargin,
+                  "Prospect: " + record.task + ", scene " + std::to_string(record.seed), kTitle);
+  y = canvas.Paragraph(kMargin, y + 2, width, VerdictSentence(record),
+                       {0.6, OutcomeColor(record.outcome), false});
+  if (record.searches.empty()) return y + 10;
+  const auto& search = record.searches.front();
+  std::string words = search.act ? "Before setting out, the plan's chance of success was put at "
+                                 : "The best that could be imagined has a chance of success of ";
+  words += Number("%.0f %%", 100 * search.score) + " (plans below" +
+           Number(" %.0f %%", 100 * search.threshold) + " are refused), from " +
+           std::to_string(search.rollouts) + " imagined courses of action over " +
+           std::to_string(search.evaluations) + " imagined states.";
+  return canvas.Paragraph(kMargin, y, width, words, kBody) + 10;
+}
+
+// One row of pictures; nothing at all when no column has one.
+int DrawRow(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns,
+            Picture Column::*which, const std::string& label, const std::string& note,
+            const cv::Scalar& color, int y) {
+  const bool any = std::any_of(columns.begin(), columns.end(),
+                               [&](const Column& c) { return !(c.*which).empty(); });
+  if (!any) return y;
+  const int below = canvas.Paragraph(kMargin, y, kLabelWidth - 14, label, {0.5, color, false});
+  canvas.Paragraph(kMargin, below + 4, kLabelWidth - 14, note, kSmall);
+  for (int i = 0; i < layout.columns; ++i) {
+    const auto& column = columns[static_cast<std::size_t>(i)];
+    if (!(column.*which).empty())
+      canvas.Image(layout.Left(i), y, layout.side, column.*which, color);
+    if (which == &Column::far && !column.far_name.empty()) {
+      canvas.Text(layout.Left(i), y + layout.side + 3, column.far_name, kSmall);
+    }
+  }
+  return y + layout.side + (which == &Column::far ? 26 : kGap);
+}
+
+int DrawTitles(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns, int y) {
+  int bottom = y;
+  for (int i = 0; i < layout.columns; ++i) {
+    bottom =
+        std::max(bottom, canvas.Paragraph(layout.Left(i), y, layout.side,
+                                          columns[static_cast<std::size_t>(i)].title, kHeading));
+  }
+  return bottom + 6;
+}
+
+int DrawFigures(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns, int y) {
+  int bottom = y;
+  for (int i = 0; i < layout.columns; ++i) {
+    const auto& column = columns[static_cast<std::size_t>(i)];
+    int line = canvas.Paragraph(layout.Left(i), y, layout.side, column.verdict,
+                                {0.5, column.verdict_color, false});
+    for (const auto& figure : column.figures)
+      line = canvas.Text(layout.Left(i), line, figure, kBody);
+    bottom = std::max(bottom, line);
+  }
+  return bottom + 12;
+}
+
+int DrawSteps(Canvas& canvas, const Layout& layout, const EpisodeRecord& record, int y) {
+  const auto columns = Columns(record);
+  canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
+  y = DrawTitles(canvas, layout, columns, y + 12);
+  y = DrawRow(canvas, layout, columns, &Column::far, "Imagined", "before setting out", kImagined,
+              y);
+  y = DrawRow(canvas, layout, columns, &Column::near, "Imagined again",
+              "just before the action, from the latest picture", kImagined, y);
+  y = DrawRow(canvas, layout, columns, &Column::observed, "What happened",
+              "camera at the end of the action", kInk, y);
+  return DrawFigures(canvas, layout, columns, y);
+}
+
+std::string Chain(const std::vector<std::string>& names) {
+  std::string chain;
+  for (const auto& name : names) chain += (chain.empty() ? "" : ", then ") + name;
+  return chain;
+}
+
+int DrawOthers(Canvas& canvas, const EpisodeRecord& record, int y) {
+  if (record.searches.empty() || record.searches.front().others.empty()) return y;
+  const auto& search = record.searches.front();
+  canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
+  y = canvas.Text(kMargin, y + 12,
+                  search.act ? "Other first actions, and why they were not chosen"
+                             : "What else was imagined, and why it was rejected",
+                  kHeading) +
+      6;
+  constexpr int kSide = 128, kCell = kSide + 48;
+  const int per_row = std::max(1, (canvas.width() - 2 * kMargin) / kCell);
+  int bottom = y;
+  for (std::size_t i = 0; i < search.others.size(); ++i) {
+    const int column = static_cast<int>(i) % per_row;
+    if (i > 0 && column == 0) y = bottom + 12;
+    const auto& other = search.others[i];
+    const int x = kMargin + 2 + column * kCell;
+    canvas.Image(x, y + 2, kSide, other.imagined, kRule);
+    int line =
+        canvas.Paragraph(x, y + kSide + 10, kCell - 16, Chain(other.names), {0.42, kInk, false});
+    line = canvas.Paragraph(x, line, kCell - 16, other.why, {0.42, kBad, false});
+    bottom = std::max(bottom, line);
+  }
+  return bottom + 12;
+}
+
+int DrawLegend(Canvas& canvas, const EpisodeRecord& record, int y) {
+  if (record.searches.empty()) return y;
+  canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
+  return canvas.Paragraph(kMargin, y + 10, canvas.width() - 2 * kMargin,
+                          "score: imagined chance that all goes well up to and after this step (V "
+                          "times f of every step so far). "
+                          "V: imagined chance of success from that state on. f: imagined chance "
+                          "that the action gets done. "
+                          "p: whether an action is possible at all. visits: how many imagined "
+                          "courses of action went through. "
+                          "Figures of a step are those of the search made just before it.",
+                          kSmall) +
+         kMargin / 2;
+}
+
+}  // namespace
+
+void WritePlanPicture(const EpisodeRecord& record, const std::string& path) {
+  Layout layout;
+  layout.columns = static_cast<int>(Columns(record).size());
+  if (layout.columns > 4) layout.side = 192;
+  Canvas canvas(layout.Width());
+  int y = DrawHeader(canvas, record);
+  y = DrawSteps(canvas, layout, record, y);
+  y = DrawOthers(canvas, record, y);
+  y = DrawLegend(canvas, record, y);
+  canvas.Write(path, y);
+}
+
+}  // namespace prospect::services

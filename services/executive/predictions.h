@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "lcmtypes/messages.h"
+#include "planner/path.h"
+#include "services/executive/conversation.h"
+#include "services/executive/picture.h"
+
+namespace prospect::services {
+
+/// Asks the model servers for pictures of imagined states. Hears PREDICT_REPLY from its
+/// construction on. One thread; the conversation must outlive it.
+class PredictionInbox {
+ public:
+  explicit PredictionInbox(Conversation& talk);
+
+  /// What the world would look like after each of `paths` from the root of `root`'s search
+  /// (PREDICT_REQUEST, repeated until answered). A picture that does not come within 3 s is missing
+  /// from the map: it decorates the answer and decides nothing.
+  std::map<planner::Path, Picture> Fetch(const search_root_t& root,
+                                         const std::vector<planner::Path>& paths);
+
+ private:
+  void OnReply(const predict_reply_t& reply);
+
+  Conversation& talk_;
+  std::map<std::int64_t, planner::Path> awaited_;  // by request id
+  std::map<planner::Path, Picture> pictures_;
+  std::int64_t next_id_ = 1;
+};
+
+}  // namespace prospect::services

@@ -1,0 +1,116 @@
+#include "services/executive/preparation.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace prospect::services {
+namespace {
+
+constexpr std::int64_t kSceneTimeoutMs = 10000;
+constexpr std::int64_t kLookTimeoutMs = 5000;
+
+bool Searches(const ExecutiveOptions& options) { return options.policy == "search"; }
+
+int Alive(Conversation& talk, const char* service) {
+  return static_cast<int>(talk.monitor().Alive(service).size());
+}
+
+std::string Missing(Conversation& talk, const ExecutiveOptions& options) {
+  std::string missing;
+  if (!talk.view().task()) missing += " a simulator or robot (no TASK is published);";
+  if (!Searches(options)) return missing;
+  if (talk.view().servers().Live(0, SteadyMs()).empty())
+    missing += " a model server (no MODEL_INFO);";
+  const int workers = Alive(talk, "worker");
+  if (workers < options.workers) {
+    missing += " planner workers (" + std::to_string(workers) + " of " +
+               std::to_string(options.workers) + " live);";
+  }
+  return missing;
+}
+
+sim_command_t ResetCommand(Conversation& talk, const ExecutiveOptions& options) {
+  sim_command_t command{};
+  command.sender_id = talk.id();
+  command.command_id = 1;
+  command.kind = sim_command_t::KIND_RESET;
+  command.seed = options.seed;
+  command.objects = options.objects;
+  command.legs = options.legs;
+  return command;
+}
+
+// The seed alone does not tell a new scene from an old one with other parameters: the label counts
+// the objects.
+bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
+  const auto& view = talk.view();
+  if (!view.latest() || !view.status() || !view.label()) return false;
+  if (view.latest()->frame != 0 || view.status()->command_id != 0) return false;
+  const auto& present = view.label()->present;
+  const auto objects = std::count(present.begin(), present.end(), 1);
+  return (options.legs == 0 || view.task()->plan_length == options.legs) &&
+         (options.objects == 0 || objects == options.objects);
+}
+
+bool Fits(const model_info_t& info, const task_t& task) {
+  return info.task == task.name && info.num_actions == task.num_actions &&
+         info.image_width == task.image_width && info.image_height == task.image_height;
+}
+
+}  // namespace
+
+std::string HexText(std::int64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
+  const bool there =
+      talk.Until([&] { return Missing(talk, options).empty(); }, options.services_timeout_ms);
+  if (there) return;
+  throw ExitError(kExitServiceLost, "still missing on " + talk.bus().url() + ":" +
+                                        Missing(talk, options) + " start them with ./prospect up");
+}
+
+void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
+  if (!options.reset) {
+    talk.view().FollowAny();
+    if (talk.Until([&] { return talk.view().latest().has_value(); }, kSceneTimeoutMs)) return;
+    throw ExitError(kExitTimeout, "no OBSERVATION within 10 s: is the camera running?");
+  }
+  talk.view().Follow(options.seed);
+  const sim_command_t command = ResetCommand(talk, options);
+  if (talk.Until([&] { return SceneStands(talk, options); }, kSceneTimeoutMs,
+                 [&] { talk.Say(command); }))
+    return;
+  throw ExitError(kExitTimeout,
+                  "the simulator did not put up scene " + std::to_string(options.seed) +
+                      " within 10 s: its log says why (objects or legs out of range?)");
+}
+
+model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
+  const auto live = talk.view().servers().Live(0, SteadyMs());
+  if (live.empty())
+    throw ExitError(kExitServiceLost, "no model server is alive: start one with ./prospect up");
+  for (const auto& info : live) {
+    const bool wanted =
+        options.weights_hash.empty() || HexText(info.weights_hash) == options.weights_hash;
+    if (wanted && Fits(info, *talk.view().task())) return info;
+  }
+  throw ExitError(kExitWeights, "no model server holds fitting weights: the first holds " +
+                                    HexText(live.front().weights_hash) + " for task '" +
+                                    live.front().task + "'; start one with --weights for task '" +
+                                    talk.view().task()->name + "'");
+}
+
+observation_t Look(Conversation& talk, std::int64_t frame) {
+  const auto& latest = talk.view().latest();
+  if (talk.Until([&] { return latest && latest->frame >= frame; }, kLookTimeoutMs)) return *latest;
+  throw ExitError(kExitTimeout, "no picture of frame " + std::to_string(frame) +
+                                    " within 5 s: is the camera running?");
+}
+
+}  // namespace prospect::services

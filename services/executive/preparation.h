@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "lcmtypes/messages.h"
+#include "services/executive/conversation.h"
+#include "services/executive/options.h"
+
+namespace prospect::services {
+
+// What comes before the first search: services are there, the scene stands, the camera has looked.
+// Each function waits, and throws an ExitError that says what is missing and how to start it.
+
+/// Waits for a live simulator or robot (TASK), and for policy "search" also for a model server with
+/// the right weights and the number of workers asked for. Throws kExitServiceLost naming the
+/// missing ones.
+void AwaitServices(Conversation& talk, const ExecutiveOptions& options);
+
+/// Puts up the scene of options.seed, or takes the present one when options.reset is false. Throws
+/// kExitTimeout when it does not appear.
+void PrepareScene(Conversation& talk, const ExecutiveOptions& options);
+
+/// The model server whose weights this episode uses: the one with options.weights_hash, or else the
+/// first that lives and was made for this task. Throws kExitWeights when servers live but none
+/// fits, kExitServiceLost when none lives.
+model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options);
+
+/// Waits for the picture that shows the world after frame `frame` was taken. Throws kExitTimeout
+/// when none comes within 5 s.
+observation_t Look(Conversation& talk, std::int64_t frame);
+
+/// 16 lower-case hexadecimal digits.
+std::string HexText(std::int64_t value);
+
+}  // namespace prospect::services

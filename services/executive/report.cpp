@@ -1,0 +1,163 @@
+#include "services/executive/report.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace prospect::services {
+namespace {
+
+using nlohmann::json;
+
+json StepJson(const TableRow& row) {
+  json step = {{"step", row.step}, {"action", row.imagined.action}, {"name", row.imagined.name}};
+  if (row.searched) {
+    step["score"] = row.imagined.score;
+    step["V"] = row.imagined.value;
+    step["f"] = row.imagined.done;
+    step["visits"] = row.imagined.visits;
+    step["predicted"] = row.imagined.predicted ? "success" : "failure";
+  }
+  step["observed"] = row.observed.empty() ? json(nullptr) : json(row.observed);
+  return step;
+}
+
+json FutureJson(const FutureRecord& future) {
+  return {{"actions", future.names}, {"score", future.score},   {"V", future.value},
+          {"f", future.done},        {"visits", future.visits}, {"why", future.why}};
+}
+
+json SearchJson(const SearchRecord& search) {
+  json result = {{"decision", search.act ? "act" : "refuse"},
+                 {"reason", search.reason},
+                 {"ended_by", search.ended_by},
+                 {"score", search.score},
+                 {"threshold", search.threshold},
+                 {"root_value", search.root_value},
+                 {"rollouts", search.rollouts},
+                 {"overshoot", search.overshoot},
+                 {"evaluations", search.evaluations},
+                 {"evaluations_requested", search.requested},
+                 {"workers", search.workers},
+                 {"converged", search.converged},
+                 {"seconds", search.seconds}};
+  for (const auto& step : search.steps) result["plan"].push_back(step.name);
+  for (const auto& other : search.others) result["others"].push_back(FutureJson(other));
+  return result;
+}
+
+json ActJson(const ActRecord& act) {
+  return {{"action", act.action},
+          {"name", act.name},
+          {"observed", act.observed},
+          {"reason", act.reason},
+          {"sim_seconds", act.sim_seconds}};
+}
+
+std::string FormatRow(const TableRow& row) {
+  char text[160];
+  const std::string observed = row.observed.empty() ? "-" : row.observed;
+  if (!row.searched) {
+    std::snprintf(text, sizeof text, "%4d  %-24s %7s %7s %7s %7s  %-9s  %s\n", row.step,
+                  row.imagined.name.c_str(), "-", "-", "-", "-", "-", observed.c_str());
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%4d  %-24s %7.3f %7.3f %7.3f %7lld  %-9s  %s\n", row.step,
+                row.imagined.name.c_str(), row.imagined.score, row.imagined.value,
+                row.imagined.done, static_cast<long long>(row.imagined.visits),
+                row.imagined.predicted ? "succeeds" : "fails", observed.c_str());
+  return text;
+}
+
+}  // namespace
+
+std::vector<TableRow> TableRows(const EpisodeRecord& record) {
+  std::vector<TableRow> rows;
+  for (std::size_t i = 0; i < record.acts.size(); ++i) {
+    TableRow row;
+    row.step = static_cast<int>(i) + 1;
+    row.searched = i < record.searches.size() && !record.searches[i].steps.empty();
+    if (row.searched) row.imagined = record.searches[i].steps.front();
+    row.imagined.action = record.acts[i].action;
+    row.imagined.name = record.acts[i].name;
+    row.observed = record.acts[i].observed;
+    rows.push_back(row);
+  }
+  // A refusal shows what it refused.
+  if (record.searches.size() > record.acts.size()) {
+    for (const auto& step : record.searches.back().steps) {
+      rows.push_back({static_cast<int>(rows.size()) + 1, step, true, ""});
+    }
+  }
+  return rows;
+}
+
+std::string VerdictSentence(const EpisodeRecord& record) {
+  const std::string steps = std::to_string(record.acts.size());
+  if (record.outcome == "solved") return "Solved: all " + steps + " actions succeeded.";
+  if (record.outcome == "refused") return "Refused, nothing was done: " + record.reason;
+  if (record.outcome == "stopped") return "Stopped after " + steps + " actions: " + record.reason;
+  return "Failed: " + record.reason + ".";
+}
+
+std::string PlanTable(const EpisodeRecord& record) {
+  std::string text =
+      "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
+  for (const auto& row : TableRows(record)) text += FormatRow(row);
+  text += VerdictSentence(record) + '\n';
+  if (record.searches.empty()) return text;
+  std::int64_t rollouts = 0, evaluations = 0;
+  for (const auto& search : record.searches)
+    rollouts += search.rollouts, evaluations += search.evaluations;
+  char line[200];
+  const auto seconds = record.phase_seconds.find("search");
+  std::snprintf(line, sizeof line, "%zu searches: %lld rollouts, %lld imagined states, %.2f s.\n",
+                record.searches.size(), static_cast<long long>(rollouts),
+                static_cast<long long>(evaluations),
+                seconds == record.phase_seconds.end() ? 0.0 : seconds->second);
+  return text + line;
+}
+
+std::string ResultJson(const EpisodeRecord& record, int exit_code) {
+  json result = {{"task", record.task},
+                 {"seed", record.seed},
+                 {"policy", record.policy},
+                 {"objects", record.objects},
+                 {"plan_length", record.plan_length},
+                 {"weights_hash", record.weights},
+                 {"engine", record.engine},
+                 {"outcome", record.outcome},
+                 {"reason", record.reason},
+                 {"exit_code", exit_code},
+                 {"seconds", record.phase_seconds},
+                 {"frames", record.frames.size()}};
+  std::int64_t rollouts = 0, evaluations = 0;
+  for (const auto& search : record.searches)
+    rollouts += search.rollouts, evaluations += search.evaluations;
+  result["rollouts"] = rollouts;
+  result["evaluations"] = evaluations;
+  for (const char* list : {"actions", "steps", "acts", "searches"}) result[list] = json::array();
+  for (const auto& act : record.acts) {
+    result["actions"].push_back(act.name);
+    result["acts"].push_back(ActJson(act));
+  }
+  for (const auto& row : TableRows(record)) result["steps"].push_back(StepJson(row));
+  for (const auto& search : record.searches) result["searches"].push_back(SearchJson(search));
+  return result.dump(2) + '\n';
+}
+
+void WriteText(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".part";
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (!file || error)
+    throw std::runtime_error("cannot write " + path +
+                             ": is the disk full or the folder read-only?");
+}
+
+}  // namespace prospect::services

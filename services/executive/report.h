@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "services/executive/episode_record.h"
+
+namespace prospect::services {
+
+// What an episode leaves behind for people and scripts. Pure functions of the record; files are
+// written whole or not at all (std::runtime_error naming the file and the cause).
+
+/// The plan as a table: step, action, score, V, f, visits, predicted and observed outcome; then the
+/// verdict in words.
+std::string PlanTable(const EpisodeRecord& record);
+
+/// result.json: task, seed, outcome, reason, actions, rollouts, evaluations, seconds by phase,
+/// steps, searches.
+/// @param exit_code of the program, so that a script reading only the file knows it
+std::string ResultJson(const EpisodeRecord& record, int exit_code);
+
+/// Writes text to `path` through a temporary name. Throws std::runtime_error.
+void WriteText(const std::string& path, const std::string& text);
+
+/// The verdict in one sentence for a person.
+std::string VerdictSentence(const EpisodeRecord& record);
+
+/// One row of the table: the step as imagined in the search just before it, or, where no action was
+/// made any more, in the last search.
+struct TableRow {
+  int step = 0;  // from 1
+  StepRecord imagined;
+  bool searched = false;  // false under the policies that search nothing
+  std::string observed;   // empty: not carried out
+};
+std::vector<TableRow> TableRows(const EpisodeRecord& record);
+
+}  // namespace prospect::services
