@@ -1,0 +1,222 @@
+#include "services/common/bus.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "tests/unit/services/poll_until.h"
+
+namespace prospect::services {
+namespace {
+
+search_stop_t Stop(std::int64_t search_id, const std::string& reason = "budget") {
+  search_stop_t message{};
+  message.search_id = search_id;
+  message.reason = reason;
+  return message;
+}
+
+TEST(Bus, CarriesMessagesToAnotherBus) {
+  Bus sender;
+  Bus receiver;
+  std::vector<std::int64_t> heard;
+  receiver.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  for (std::int64_t id = 1; id <= 100; ++id) ASSERT_TRUE(sender.Publish(Stop(id)));
+  ASSERT_TRUE(PollUntil({&receiver}, [&] { return heard.size() == 100; }));
+  for (std::size_t i = 0; i < heard.size(); ++i)
+    EXPECT_EQ(heard[i], static_cast<std::int64_t>(i + 1));
+  EXPECT_EQ(receiver.counters().at("SEARCH_STOP").received, 100);
+}
+
+TEST(Bus, AProcessHearsItself) {
+  Bus bus;
+  int heard = 0;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  bus.Publish(Stop(1));
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return heard == 1; }));
+}
+
+// One picture a tick is the heaviest steady load: all of a paced burst must arrive.
+TEST(Bus, CarriesPictures) {
+  Bus bus;
+  observation_t picture{};
+  picture.encoding = observation_t::ENCODING_RGB8;
+  picture.width = picture.height = 64;
+  picture.data.resize(64 * 64 * 3);
+  messages::SetCounts(picture);
+  std::int64_t last = -1;
+  bus.Subscribe<observation_t>([&](const observation_t& seen) {
+    EXPECT_EQ(seen.frame, last + 1);
+    last = seen.frame;
+  });
+  for (int i = 0; i < 50; ++i) {
+    picture.frame = i;
+    bus.Publish(picture);
+    bus.Poll(1);
+  }
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return last == 49; }));
+}
+
+TEST(Bus, RefusesAndCountsBadBytesByChannelAndReason) {
+  Bus bus;
+  int heard = 0;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  std::vector<std::uint8_t> bytes = messages::CheckedEncode(Stop(1));
+  bus.PublishRaw("SEARCH_STOP", {bytes.begin(), bytes.begin() + 20});
+  bus.PublishRaw("SEARCH_STOP", {1, 2, 3});
+  bytes.push_back(0);
+  bus.PublishRaw("SEARCH_STOP", bytes);
+  bus.Publish("SEARCH_STOP", path_t{0, {}});
+  search_stop_t nonsense = Stop(1);
+  nonsense.epoch = -1;
+  bus.Publish(nonsense);
+  bus.Publish(Stop(2));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return heard == 1; }));
+  const std::map<std::string, std::int64_t> expected = {
+      {"truncated", 2}, {"trailing", 1}, {"fingerprint", 1}, {"value epoch: negative", 1}};
+  EXPECT_EQ(bus.counters().at("SEARCH_STOP").refused, expected);
+  EXPECT_EQ(bus.refused(), 5);
+  EXPECT_EQ(bus.received(), 1);
+}
+
+TEST(Bus, CountsWhatTheCallerRefuses) {
+  Bus bus;
+  bus.CountRefused("ACTION_COMMAND", "unknown action");
+  EXPECT_EQ(bus.counters().at("ACTION_COMMAND").refused.at("unknown action"), 1);
+  EXPECT_EQ(bus.refused(), 1);
+}
+
+TEST(Bus, ChannelNamesAreNoRegularExpressions) {
+  Bus bus;
+  int heard = 0;
+  bus.Subscribe<search_stop_t>("A.B", [&](const search_stop_t&) { ++heard; });
+  bus.Publish("AxB", Stop(1));
+  bus.Publish("A.B", Stop(2));
+  bus.Publish("A.B", Stop(3));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return heard == 2; }));
+  EXPECT_EQ(bus.counters().count("AxB"), 0u);
+}
+
+TEST(Bus, ServesSeveralHandlersOfOneChannel) {
+  Bus bus;
+  std::string order;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'a'; });
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'b'; });
+  bus.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return order.size() == 2; }));
+  EXPECT_EQ(order, "ab");
+  EXPECT_EQ(bus.received(), 1);
+  EXPECT_THROW(bus.Subscribe<plan_t>("SEARCH_STOP", [](const plan_t&) {}), std::logic_error);
+}
+
+// The exception reaches Poll()'s caller past no C frame, and neither the bus nor later messages
+// suffer.
+TEST(Bus, HandlersMayThrow) {
+  Bus bus;
+  int heard = 0;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) {
+    ++heard;
+    if (stop.search_id == 1) throw std::runtime_error("handler");
+  });
+  bus.Publish(Stop(1));
+  bus.Publish(Stop(2));
+  EXPECT_THROW(PollUntil({&bus}, [&] { return heard == 2; }), std::runtime_error);
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return heard == 2; }));
+}
+
+TEST(Bus, HandlersMaySubscribeAndPublish) {
+  Bus bus;
+  bool answered = false;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) {
+    bus.Subscribe<predict_request_t>("ANSWER", [&](const predict_request_t&) { answered = true; });
+    bus.Publish("ANSWER", predict_request_t{});
+  });
+  bus.Publish(Stop(1));
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return answered; }));
+}
+
+TEST(Bus, PublishThrowsWhenACountIsWrong) {
+  Bus bus;
+  EXPECT_THROW(bus.Publish("PATHS", path_t{2, {}}), messages::EncodeError);
+}
+
+TEST(Bus, PublishSaysWhenAMessageCannotBeSent) {
+  Bus bus;
+  EXPECT_FALSE(bus.PublishRaw(std::string(100, 'X'), {1}));  // longer than LCM's 63 bytes
+}
+
+TEST(Bus, PollWaitsNoLongerThanAsked) {
+  Bus bus;
+  const std::int64_t start_ms = SteadyMs();
+  EXPECT_EQ(bus.Poll(20), 0);
+  EXPECT_GE(SteadyMs() - start_ms, 19);
+  EXPECT_LT(SteadyMs() - start_ms, 2000);
+}
+
+TEST(Bus, WakeEndsAPollFromAnotherThread) {
+  Bus bus;
+  std::thread waker([&] { bus.Wake(); });
+  const std::int64_t start_ms = SteadyMs();
+  bus.Poll(60000);
+  EXPECT_LT(SteadyMs() - start_ms, 30000);
+  waker.join();
+}
+
+TEST(Bus, AFloodLeavesTheLoopItsTurns) {
+  Bus bus;
+  bus.Subscribe<expand_request_t>([](const expand_request_t&) {});
+  expand_request_t request{};
+  request.paths = {{0, {}}};
+  messages::SetCounts(request);
+  for (int i = 0; i < 3000; ++i) bus.Publish(request);
+  int most = 0;
+  std::int64_t total = 0;
+  const std::int64_t end_ms = SteadyMs() + 5000;
+  while (total < 600 && SteadyMs() < end_ms) {
+    const int taken = bus.Poll(5);
+    most = std::max(most, taken);
+    total += taken;
+  }
+  EXPECT_GE(total, 600);  // loss is normal, but not of nearly all
+  EXPECT_LE(most, Bus::kMaxPerPoll);
+}
+
+TEST(Bus, SubscribeAllHearsEveryChannelUnchecked) {
+  Bus bus;
+  std::vector<std::string> channels;
+  bus.SubscribeAll([&](const RawMessage& message) {
+    if (message.channel != "LCM_SELF_TEST") channels.push_back(message.channel);
+  });
+  bus.PublishRaw("ANYTHING", {1, 2, 3});
+  bus.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return channels.size() == 2; }));
+  EXPECT_EQ(channels, (std::vector<std::string>{"ANYTHING", "SEARCH_STOP"}));
+}
+
+TEST(Bus, BadUrlsAreErrorsThatSayWhatToDo) {
+  try {
+    Bus bus("nonsense://x");
+    FAIL() << "no error";
+  } catch (const BusError& error) {
+    EXPECT_EQ(error.code(), kExitBus);
+    EXPECT_NE(std::string(error.what()).find("udpm://"), std::string::npos);
+  }
+}
+
+TEST(Bus, PortsDoNotHearEachOther) {
+  Bus bus;
+  Bus other("udpm://239.255.76.67:29999?ttl=0");
+  int here = 0;
+  int there = 0;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++here; });
+  other.Subscribe<search_stop_t>([&](const search_stop_t&) { ++there; });
+  bus.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&bus, &other}, [&] { return here == 1; }));
+  other.Poll(50);
+  EXPECT_EQ(there, 0);
+}
+
+}  // namespace
+}  // namespace prospect::services

@@ -1,0 +1,4 @@
+prospect_bus_test(services_bus_test SOURCES bus_test.cpp LIBS prospect_bus)
+prospect_bus_test(services_health_test SOURCES health_test.cpp LIBS prospect_bus)
+prospect_bus_test(services_survey_test SOURCES survey_test.cpp LIBS prospect_survey)
+prospect_test(services_common_test SOURCES common_test.cpp LIBS prospect_bus)
