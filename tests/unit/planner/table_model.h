@@ -30,7 +30,7 @@ class TableModel : public ModelSource {
   std::map<Path, Evaluation> table_;
 };
 
-// Two actions, each taken once; worked out by hand in algorithm_test.cc.
+// Two actions, each taken once; worked out by hand in algorithm_test.cpp.
 inline TableModel TwoActionModel() {
   TableModel model;
   model.Set({}, 0.5f, 1.0f, {0.4f, 0.2f}, {1, 1});
