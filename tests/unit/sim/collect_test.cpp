@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "model/dataset.h"
+#include "tools/collect/collector.h"
+#include "tools/collect/trial_recorder.h"
+
+namespace prospect::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CollectTest : public testing::Test {
+ protected:
+  CollectTest() : folder_(testing::TempDir() + "prospect_collect_" + std::to_string(getpid())) {
+    fs::create_directories(folder_);
+    options_.trials = 6;
+    options_.seed = 100;
+    options_.out = folder_ + "/set.h5";
+    options_.objects = options_.legs = "mixed";
+  }
+  ~CollectTest() override { fs::remove_all(folder_); }
+
+  std::string folder_;
+  CollectOptions options_;
+};
+
+TEST_F(CollectTest, RecordsWholeValidTrials) {
+  const CollectSummary summary = Collect(options_);
+  EXPECT_EQ(summary.trials, 6);
+  const model::TrialFile file(options_.out);
+  ASSERT_EQ(file.size(), 6u);
+  int successes = 0;
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    const model::Trial trial = file.Read(i);
+    model::ValidateTrial(trial);
+    EXPECT_EQ(trial.seed, 100 + i);
+    EXPECT_EQ(trial.segment.front(), -1);
+    EXPECT_EQ(trial.dones.back(), 1);
+    EXPECT_EQ(std::count(trial.dones.begin(), trial.dones.end(), 1), 1);
+    EXPECT_EQ(trial.succeeded(), trial.segment_succeeded.back() == 1);
+    EXPECT_EQ(trial.succeeded(), trial.segments() == trial.plan_length && trial.reason.empty());
+    successes += trial.succeeded();
+  }
+  EXPECT_EQ(successes, summary.successes);
+  EXPECT_FALSE(fs::exists(options_.out + ".parts"));
+}
+
+TEST_F(CollectTest, ATrialIsAFunctionOfItsSeed) {
+  auto one = sim::MakeTask("navigation");
+  auto other = sim::MakeTask("navigation");
+  RecordRandomTrial(*other, 4, 0.01);
+  const model::Trial a = RecordRandomTrial(*one, 5, 0.01);
+  const model::Trial b = RecordRandomTrial(*other, 5, 0.01);
+  EXPECT_EQ(a.images, b.images);
+  EXPECT_EQ(a.actions, b.actions);
+  EXPECT_EQ(a.outcome, b.outcome);
+}
+
+TEST_F(CollectTest, ResumesWithoutDoingWorkTwiceAndEqualsAnUninterruptedRun) {
+  Collect(options_);
+  const model::TrialFile whole(options_.out);
+  CollectOptions again = options_;
+  again.out = folder_ + "/again.h5";
+  again.keep_parts = true;
+  again.trials = 4;
+  Collect(again);
+  std::ofstream(again.out + ".parts/trial_101.h5", std::ios::trunc) << "killed here";
+  again.trials = 6;
+  EXPECT_THROW(Collect(again), CollectUsageError);  // parts of an earlier run, but no --resume
+  again.resume = true;
+  const CollectSummary summary = Collect(again);
+  EXPECT_EQ(summary.kept, 3);
+  const model::TrialFile resumed(again.out);
+  ASSERT_EQ(resumed.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(resumed.Read(i).images, whole.Read(i).images);
+  }
+}
+
+TEST_F(CollectTest, RefusesPartsOfOtherOptions) {
+  options_.keep_parts = true;
+  Collect(options_);
+  options_.resume = true;
+  options_.legs = "3";
+  EXPECT_THROW(Collect(options_), CollectUsageError);
+}
+
+TEST_F(CollectTest, RefusesBadRequestsBeforeAnyWork) {
+  for (auto break_it : {+[](CollectOptions* o) { o->seed = 999'996; },
+                        +[](CollectOptions* o) { o->seed = 2'000'000; },
+                        +[](CollectOptions* o) { o->task = "cooking"; },
+                        +[](CollectOptions* o) { o->objects = "9"; },
+                        +[](CollectOptions* o) { o->objects = "many"; },
+                        +[](CollectOptions* o) { o->objects = "4", o->legs = "5"; }}) {
+    CollectOptions bad = options_;
+    break_it(&bad);
+    EXPECT_THROW(Collect(bad), CollectUsageError);
+    EXPECT_FALSE(fs::exists(bad.out + ".parts"));
+  }
+}
+
+TEST_F(CollectTest, MixedScenesCoverTheRangeAndHalfArePlain) {
+  int plain = 0;
+  std::map<std::pair<int, int>, int> seen;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const sim::TaskOptions scene = SceneOptions(options_, seed);
+    plain += scene.objects == 4 && scene.legs == 3;
+    ++seen[{scene.objects, scene.legs}];
+    EXPECT_LE(scene.legs, std::min(5, scene.objects));
+  }
+  EXPECT_NEAR(plain, 1000 + 2000 / 16, 80);
+  EXPECT_EQ(seen.size(), 2u + 3 * 3);  // 4: 3 and 4 legs; 5, 6, 7: 3 to 5
+}
+
+}  // namespace
+}  // namespace prospect::tools

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include "sim/task_factory.h"
+
+namespace prospect::sim {
+namespace {
+
+TEST(TaskSpec, NavigationTableIsFrozen) {
+  const TaskSpec spec = MakeTask("navigation")->spec();
+  const char* objects[] = {"barrel", "barricade", "pylon", "block", "spool", "generator", "cabin"};
+  ASSERT_EQ(spec.actions.size(), 7u);
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_EQ(spec.actions[i].index, i);
+    EXPECT_EQ(spec.actions[i].kind, "investigate");
+    EXPECT_EQ(spec.actions[i].object, objects[i]);
+    EXPECT_EQ(spec.actions[i].name, "investigate(" + std::string(objects[i]) + ")");
+  }
+  EXPECT_EQ(spec.null_action(), 7);
+  EXPECT_EQ(spec.successors[7], (std::vector<int>{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(spec.successors[2], (std::vector<int>{0, 1, 3, 4, 5, 6}));
+  EXPECT_FALSE(spec.repeats_allowed);
+}
+
+TEST(TaskSpec, HashSeesTheTableAndNotTheScene) {
+  TaskSpec spec = MakeTask("navigation", {4, 3, 0.01})->spec();
+  EXPECT_EQ(spec.Hash(), MakeTask("navigation", {7, 5, 0.01})->spec().Hash());
+  const std::uint64_t hash = spec.Hash();
+  spec.actions[1].object = "fence";
+  EXPECT_NE(spec.Hash(), hash);
+}
+
+TEST(TaskSpec, HashChangesWithEachPart) {
+  const TaskSpec spec = MakeTask("navigation")->spec();
+  TaskSpec other = spec;
+  other.repeats_allowed = true;
+  EXPECT_NE(other.Hash(), spec.Hash());
+  other = spec;
+  other.image_width = 96;
+  EXPECT_NE(other.Hash(), spec.Hash());
+  other = spec;
+  other.successors[0].pop_back();
+  EXPECT_NE(other.Hash(), spec.Hash());
+}
+
+TEST(TaskFactory, NamesTheTasksItKnows) {
+  try {
+    MakeTask("cooking");
+    FAIL() << "made an unknown task";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("navigation"), std::string::npos);
+  }
+}
+
+TEST(TaskFactory, RefusesScenesOutOfRange) {
+  EXPECT_THROW(MakeTask("navigation", {3, 3, 0.01}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {8, 3, 0.01}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {7, 2, 0.01}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {7, 6, 0.01}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {4, 5, 0.01}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace prospect::sim
