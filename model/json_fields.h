@@ -24,7 +24,7 @@ class JsonFields {
     const auto found = object_.find(key);
     if (found == object_.end()) return *this;
     try {
-      *value = found->get<T>();
+      found->get_to(*value);  // nested objects keep what the JSON does not name
     } catch (const nlohmann::json::exception&) {
       throw std::invalid_argument(where_ + "." + key + ": has the wrong type");
     }

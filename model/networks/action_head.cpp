@@ -27,10 +27,10 @@ torch::Tensor ActionHeadImpl::forward(const torch::Tensor& h0, const torch::Tens
   torch::Tensor x = torch::cat(
       {from_h_->forward(h), from_h0_->forward(h0), Tile(a, h.size(2), h.size(3))}, 1);
   x = conv2_->forward(conv1_->forward(x)).flatten(1);
-  x = torch::dropout(x, dropout_, is_training());
+  x = Dropout(x, dropout_, is_training());
   if (costar_) x = torch::cat({x, a}, 1);
-  x = torch::dropout(torch::relu(dense1_->forward(x)), dropout_, is_training());
-  x = torch::dropout(torch::relu(dense2_->forward(x)), dropout_, is_training());
+  x = Dropout(torch::relu(dense1_->forward(x)), dropout_, is_training());
+  x = Dropout(torch::relu(dense2_->forward(x)), dropout_, is_training());
   return out_->forward(x);
 }
 

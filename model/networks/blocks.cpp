@@ -1,5 +1,7 @@
 #include "model/networks/blocks.h"
 
+#include <ATen/CPUGeneratorImpl.h>
+
 #include <stdexcept>
 
 namespace prospect::model {
@@ -16,11 +18,25 @@ torch::Tensor Finish(torch::Tensor x, InstanceNorm& norm, const BlockOptions& op
                      bool training) {
   if (options.norm) x = norm->forward(x);
   x = Activate(x, options.activation);
-  if (options.dropout > 0.0 && training) x = torch::dropout(x, options.dropout, true);
-  return x;
+  return Dropout(x, options.dropout, training);
+}
+
+at::Generator& ThreadGenerator() {
+  thread_local at::Generator generator = at::detail::createCPUGenerator(0);
+  return generator;
 }
 
 }  // namespace
+
+torch::Tensor Dropout(const torch::Tensor& x, double rate, bool training) {
+  if (!training || rate <= 0.0) return x;
+  if (!x.device().is_cpu()) return torch::dropout(x, rate, true);
+  const torch::Tensor mask =
+      torch::empty_like(x, x.options().requires_grad(false)).bernoulli_(1.0 - rate, ThreadGenerator());
+  return x * mask.div_(1.0 - rate);
+}
+
+void SeedDropout(uint64_t seed) { ThreadGenerator().set_current_seed(seed); }
 
 Activation ActivationOf(const std::string& name) {
   if (name == "relu") return Activation::kRelu;
@@ -105,7 +121,7 @@ torch::Tensor Tile(const torch::Tensor& v, int64_t height, int64_t width) {
 
 void InitialiseGlorot(torch::nn::Module* module) {
   const torch::NoGradGuard no_grad;
-  for (const auto& child : module->modules(/*include_self=*/true)) {
+  for (const auto& child : module->modules(/*include_self=*/false)) {
     if (auto* conv = child->as<torch::nn::Conv2d>()) {
       torch::nn::init::xavier_uniform_(conv->weight);
       torch::nn::init::zeros_(conv->bias);

@@ -87,6 +87,14 @@ torch::Tensor OneHot(const torch::Tensor& actions, int n);
 /// A vector [B,N] repeated over a grid: [B,N,height,width].
 torch::Tensor Tile(const torch::Tensor& v, int64_t height, int64_t width);
 
+/// Dropout: with probability `rate` a value becomes 0, the others are scaled by 1/(1-rate); nothing when not
+/// `training`. On CPUs the draws come from this thread's own generator (SeedDropout), so that several threads
+/// can train on one module and give the same numbers every time; elsewhere from the device's.
+torch::Tensor Dropout(const torch::Tensor& x, double rate, bool training);
+
+/// Seeds the calling thread's generator of Dropout.
+void SeedDropout(uint64_t seed);
+
 /// Glorot-uniform weights and zero biases for every convolution and dense layer (the authors' defaults).
 void InitialiseGlorot(torch::nn::Module* module);
 

@@ -19,9 +19,9 @@ ClassifierImpl::ClassifierImpl(const NetworkConfig& config) : dropout_(config.he
 }
 
 torch::Tensor ClassifierImpl::forward(const torch::Tensor& x) {
-  torch::Tensor y = torch::dropout(conv_->forward(x).flatten(1), dropout_, is_training());
+  torch::Tensor y = Dropout(conv_->forward(x).flatten(1), dropout_, is_training());
   y = Activate(dense_->forward(y), Activation::kLeakyRelu);
-  return out_->forward(torch::dropout(y, dropout_, is_training()));
+  return out_->forward(Dropout(y, dropout_, is_training()));
 }
 
 }  // namespace prospect::model

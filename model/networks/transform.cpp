@@ -36,7 +36,7 @@ torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Ten
   const torch::Tensor points =
       SpatialSoftArgmax(with_action_->forward(torch::cat({x, tiled}, 1)));
   torch::Tensor z = torch::relu(dense_->forward(torch::cat({points, y}, 1)));
-  if (config_.dropout > 0.0 && is_training()) z = torch::dropout(z, config_.dropout, true);
+  z = Dropout(z, config_.dropout, is_training());
   return z.view({-1, kWidth, config_.hidden_height() >> stages, config_.hidden_width() >> stages});
 }
 

@@ -15,7 +15,7 @@ ValueHeadImpl::ValueHeadImpl(const NetworkConfig& config) : dropout_(config.head
 }
 
 torch::Tensor ValueHeadImpl::forward(const torch::Tensor& h) {
-  torch::Tensor x = torch::dropout(conv_->forward(h).flatten(1), dropout_, is_training());
+  torch::Tensor x = Dropout(conv_->forward(h).flatten(1), dropout_, is_training());
   x = torch::relu(dense_->forward(x));
   return out_->forward(x).squeeze(1);
 }

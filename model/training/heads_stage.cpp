@@ -1,0 +1,212 @@
+#include "model/training/heads_stage.h"
+
+#include "model/training/batches.h"
+
+namespace prospect::model {
+namespace {
+
+/// Labels of states, row by row, as the heads are trained on. A next action of -1 means no loss for Q; done of
+/// -1 no loss for f; `structure` false none for p and Q.
+struct StateLabels {
+  std::vector<int> action;       ///< that led here; num_actions = none
+  std::vector<float> value;      ///< V's label
+  std::vector<float> done;       ///< f's label or -1
+  std::vector<int> next;         ///< carried out next, or -1
+  std::vector<int> trial;        ///< for p's labels
+  std::vector<float> structure;  ///< 1: a state between actions, where p and Q are asked
+
+  void Add(int a, bool succeeded, float is_done, int a_next, int trial_index, bool between) {
+    action.push_back(a);
+    value.push_back(succeeded ? 1.0F : 0.0F);
+    done.push_back(is_done);
+    next.push_back(between ? a_next : -1);
+    trial.push_back(trial_index);
+    structure.push_back(between ? 1.0F : 0.0F);
+  }
+  std::size_t size() const { return action.size(); }
+};
+
+torch::Tensor Entropy(const torch::Tensor& logits, const torch::Tensor& labels) {
+  return torch::binary_cross_entropy_with_logits(logits, labels, {}, {}, at::Reduction::None);
+}
+
+/// Mean of `values` where `mask` is not 0.
+torch::Tensor MaskedMean(const torch::Tensor& values, const torch::Tensor& mask) {
+  return (values * mask).sum() / mask.sum().clamp_min(1.0);
+}
+
+class HeadsStage : public Stage {
+ public:
+  explicit HeadsStage(const TrainContext& context)
+      : context_(context), trials_(context.samples.TrialsOf(Split::kTrain)) {
+    if (trials_.empty()) throw DataError("the training part has no actions; collect more trials");
+    context.networks.transform.ptr()->eval();
+  }
+  std::string name() const override { return "heads"; }
+  const StageConfig& config() const override { return context_.config.heads; }
+  std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
+    const Networks& n = context_.networks;
+    return {{"value", n.value.ptr().get()},
+            {"q", n.q.ptr().get()},
+            {"p", n.p.ptr().get()},
+            {"f", n.f.ptr().get()}};
+  }
+
+  LossParts Loss(std::int64_t iteration, int shard, int shards) override {
+    CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
+    std::vector<int> trials, variants;
+    for (int i = 0; i < ShardSize(config().batch, shard, shards); ++i) {
+      trials.push_back(trials_[static_cast<std::size_t>(
+          random.Below(static_cast<std::int64_t>(trials_.size())))]);
+      variants.push_back(static_cast<int>(random.Below(context_.config.hidden_variants)));
+    }
+    const double share = context_.config.imagined_share;
+    LossParts result;
+    result.loss = torch::zeros({}, torch::TensorOptions().device(context_.device));
+    if (share < 1.0) AddReal(trials, variants, 1.0 - share, &result);
+    if (share > 0.0) AddImagined(trials, variants, share, &random, &result);
+    return result;
+  }
+
+ private:
+  int NextAction(const TrialSample& trial, int segment) const {
+    return segment + 1 < trial.first_segment + trial.segments ? context_.segment(segment + 1).action : -1;
+  }
+
+  /// Every cached frame of the trials: the first, the goals, the ones inside.
+  void AddReal(const std::vector<int>& trials, const std::vector<int>& variants, double weight,
+               LossParts* result) const {
+    StateLabels labels;
+    std::vector<int> slots, firsts, turns;
+    const auto add = [&](std::size_t i, int slot) {
+      slots.push_back(slot);
+      firsts.push_back(context_.trial(trials[i]).first);
+      turns.push_back(variants[i]);
+    };
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      const TrialSample& trial = context_.trial(trials[i]);
+      add(i, trial.first);
+      labels.Add(context_.samples.num_actions, trial.succeeded, -1.0F,
+                 context_.segment(trial.first_segment).action, trials[i], true);
+      for (int s = trial.first_segment; s < trial.first_segment + trial.segments; ++s) {
+        const SegmentSample& segment = context_.segment(s);
+        add(i, segment.goal);
+        labels.Add(segment.action, trial.succeeded, segment.succeeded ? 1.0F : 0.0F,
+                   NextAction(trial, s), trials[i], true);
+        for (const int mid : segment.mids) {
+          add(i, mid);
+          labels.Add(segment.action, trial.succeeded, 0.0F, -1, trials[i], false);
+        }
+      }
+    }
+    AddHeads(context_.hidden->Get(firsts, turns).to(context_.device),
+             context_.hidden->Get(slots, turns).to(context_.device), labels, "real", weight, result);
+  }
+
+  /// Chains of imagined states from a random segment of each trial to its end, as the planner imagines them.
+  void AddImagined(const std::vector<int>& trials, const std::vector<int>& variants, double weight,
+                   CounterRandom* random, LossParts* result) const {
+    std::vector<Chain> chains;
+    int steps = 1;
+    for (const int t : trials) {
+      const TrialSample& trial = context_.trial(t);
+      const int s = trial.first_segment + static_cast<int>(random->Below(trial.segments));
+      const int length = trial.first_segment + trial.segments - s;
+      steps = std::max(steps, length);
+      chains.push_back(MakeChain(context_, s, context_.segment(s).start, length, false));
+    }
+    for (Chain& chain : chains) {
+      chain.segments.resize(static_cast<std::size_t>(steps), chain.segments.back());
+      chain.weights.resize(static_cast<std::size_t>(steps), 0.0F);
+    }
+    AddChains(ChainBatch(context_, chains, variants), chains, weight, result);
+  }
+
+  void AddChains(const ChainBatch& batch, const std::vector<Chain>& chains, double weight,
+                 LossParts* result) const {
+    Networks networks = context_.networks;
+    const torch::Tensor h0 = batch.First();
+    torch::Tensor h = batch.Start();
+    std::vector<torch::Tensor> firsts, states;
+    StateLabels labels;
+    for (int k = 0; k < batch.steps(); ++k) {
+      {
+        const torch::NoGradGuard no_grad;
+        h = networks.transform->forward(h0, h, batch.Actions(k));
+      }
+      std::vector<int> rows;
+      for (std::size_t i = 0; i < chains.size(); ++i) {
+        if (chains[i].weights[static_cast<std::size_t>(k)] == 0.0F) continue;
+        const int s = chains[i].segments[static_cast<std::size_t>(k)];
+        const SegmentSample& segment = context_.segment(s);
+        const TrialSample& trial = context_.trial(segment.trial);
+        rows.push_back(static_cast<int>(i));
+        labels.Add(segment.action, trial.succeeded, segment.succeeded ? 1.0F : 0.0F,
+                   NextAction(trial, s), segment.trial, true);
+      }
+      const torch::Tensor index = ActionTensor(rows, context_.device);
+      firsts.push_back(h0.index_select(0, index));
+      states.push_back(h.index_select(0, index));
+    }
+    AddHeads(torch::cat(firsts), torch::cat(states), labels, "imagined", weight, result);
+  }
+
+  void AddHeads(const torch::Tensor& h0, const torch::Tensor& h, const StateLabels& labels,
+                const std::string& kind, double weight, LossParts* result) const {
+    Networks networks = context_.networks;
+    const torch::Tensor a = ActionTensor(labels.action, context_.device);
+    const torch::Tensor value =
+        Entropy(networks.value->forward(h), FloatTensor(labels.value, context_.device)).mean();
+    const torch::Tensor done_label = FloatTensor(labels.done, context_.device);
+    // f is asked only about an action; rows without one carry the first action and no weight.
+    const torch::Tensor asked = a.clamp_max(context_.samples.num_actions - 1);
+    const torch::Tensor done =
+        MaskedMean(Entropy(networks.f->forward(h0, h, asked).squeeze(1), done_label.clamp_min(0)),
+                   done_label.ge(0).to(torch::kFloat));
+    const torch::Tensor p = Structure(networks.p->forward(h0, h, a), labels);
+    const torch::Tensor q = Quality(networks.q->forward(h0, h, a), labels);
+    result->loss = result->loss + weight * (value + done + p + q);
+    result->parts.emplace_back("v_" + kind, value.item<double>());
+    result->parts.emplace_back("f_" + kind, done.item<double>());
+    result->parts.emplace_back("p_" + kind, p.item<double>());
+    result->parts.emplace_back("q_" + kind, q.item<double>());
+  }
+
+  torch::Tensor Structure(const torch::Tensor& logits, const StateLabels& labels) const {
+    const int n = context_.samples.num_actions;
+    std::vector<float> allowed;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const TrialSample& trial = context_.trial(labels.trial[i]);
+      for (int a = 0; a < n; ++a) {
+        allowed.push_back(MayFollow(trial, labels.action[i], a) ? 1.0F : 0.0F);
+      }
+    }
+    const torch::Tensor entropy =
+        Entropy(logits, FloatTensor(allowed, context_.device).view({-1, n})).mean(1);
+    return MaskedMean(entropy, FloatTensor(labels.structure, context_.device));
+  }
+
+  torch::Tensor Quality(const torch::Tensor& logits, const StateLabels& labels) const {
+    std::vector<int> next;
+    std::vector<float> mask;
+    for (const int a : labels.next) {
+      next.push_back(std::max(0, a));
+      mask.push_back(a < 0 ? 0.0F : 1.0F);
+    }
+    const torch::Tensor chosen =
+        logits.gather(1, ActionTensor(next, context_.device).unsqueeze(1)).squeeze(1);
+    return MaskedMean(Entropy(chosen, FloatTensor(labels.value, context_.device)),
+                      FloatTensor(mask, context_.device));
+  }
+
+  const TrainContext& context_;
+  std::vector<int> trials_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> MakeHeadsStage(const TrainContext& context) {
+  return std::make_unique<HeadsStage>(context);
+}
+
+}  // namespace prospect::model

@@ -1,0 +1,146 @@
+#include "model/training/samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "model/training/random.h"
+
+namespace prospect::model {
+namespace {
+
+constexpr double kUnsureSeconds = 0.3;       // frames nearer to an action's end are neither done nor not done
+constexpr std::uint64_t kMidStream = 0x6d6964;  // "mid"
+
+/// Gives each frame of one trial its slot, once.
+class Slots {
+ public:
+  Slots(int trial, SampleSet* set) : trial_(trial), set_(set) {}
+  int Of(int frame) {
+    const auto [found, is_new] = slots_.emplace(frame, static_cast<int>(set_->frames.size()));
+    if (is_new) set_->frames.push_back({trial_, frame});
+    return found->second;
+  }
+
+ private:
+  int trial_;
+  SampleSet* set_;
+  std::map<int, int> slots_;
+};
+
+struct Span {
+  int first = 0;  ///< first frame of the segment
+  int goal = 0;   ///< first frame of the next one, or the trial's last
+};
+
+std::vector<Span> SpansOf(const Trial& trial) {
+  std::vector<Span> spans(static_cast<std::size_t>(trial.segments()));
+  for (int i = trial.frames() - 1; i >= 0; --i) {
+    const int s = trial.segment[static_cast<std::size_t>(i)];
+    if (s >= 0) spans[static_cast<std::size_t>(s)].first = i;
+  }
+  for (std::size_t s = 0; s < spans.size(); ++s) {
+    spans[s].goal = s + 1 < spans.size() ? spans[s + 1].first : trial.frames() - 1;
+  }
+  return spans;
+}
+
+std::vector<int> ChooseMids(const Trial& trial, const Span& span, int count) {
+  const int margin =
+      std::max(1, static_cast<int>(std::ceil(kUnsureSeconds / trial.tick_seconds - 1e-9)));
+  const int room = span.goal - margin - span.first;  // frames first+1 .. goal-margin
+  std::vector<int> mids;
+  CounterRandom random(trial.seed, kMidStream, static_cast<std::uint64_t>(span.first));
+  for (int k = 0; k < count && room > 0; ++k) {
+    mids.push_back(span.first + 1 + static_cast<int>(random.Below(room)));
+  }
+  return mids;
+}
+
+void RequireSameKind(const Trial& trial, const SampleSet& set) {
+  if (trial.task != set.task || trial.task_hash != set.task_hash || trial.width != set.width ||
+      trial.height != set.height || trial.num_actions != set.num_actions) {
+    throw DataError("trial of seed " + std::to_string(trial.seed) +
+                    ": another task, action table or picture size than the first trial's");
+  }
+}
+
+template <typename Items, typename SplitOfItem>
+std::vector<int> IndicesOf(const Items& items, Split split, const SplitOfItem& split_of) {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (split_of(items[i]) == split) indices.push_back(static_cast<int>(i));
+  }
+  return indices;
+}
+
+}  // namespace
+
+std::vector<int> SampleSet::TrialsOf(Split split) const {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].split == split && trials[i].segments > 0) indices.push_back(static_cast<int>(i));
+  }
+  return indices;
+}
+
+std::vector<int> SampleSet::SegmentsOf(Split split) const {
+  return IndicesOf(segments, split, [this](const SegmentSample& s) {
+    return trials[static_cast<std::size_t>(s.trial)].split;
+  });
+}
+
+std::vector<int> SampleSet::FramesOf(Split split) const {
+  return IndicesOf(frames, split, [this](const FrameRef& f) {
+    return trials[static_cast<std::size_t>(f.trial)].split;
+  });
+}
+
+void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, SampleSet* set) {
+  if (set->trials.empty()) {
+    set->task = trial.task;
+    set->world_version = trial.world_version;
+    set->task_hash = trial.task_hash;
+    set->width = trial.width;
+    set->height = trial.height;
+    set->num_actions = trial.num_actions;
+  }
+  RequireSameKind(trial, *set);
+  const int number = static_cast<int>(set->trials.size());
+  Slots slots(number, set);
+  TrialSample sample;
+  sample.seed = trial.seed;
+  sample.index = index;
+  sample.split = SplitOf(trial.seed);
+  sample.succeeded = trial.succeeded();
+  sample.first = slots.Of(0);
+  sample.present = trial.present;
+  sample.first_segment = static_cast<int>(set->segments.size());
+  sample.segments = trial.segments();
+  const std::vector<Span> spans = SpansOf(trial);
+  for (std::size_t s = 0; s < spans.size(); ++s) {
+    const auto first = static_cast<std::size_t>(spans[s].first);
+    SegmentSample segment;
+    segment.trial = number;
+    segment.action = trial.actions[first];
+    segment.previous = trial.prev_action[first];
+    segment.start = slots.Of(spans[s].first);
+    segment.goal = slots.Of(spans[s].goal);
+    segment.succeeded = trial.segment_succeeded[s] > 0;
+    for (const int frame : ChooseMids(trial, spans[s], mids_per_segment)) {
+      segment.mids.push_back(slots.Of(frame));
+    }
+    set->segments.push_back(std::move(segment));
+  }
+  set->trials.push_back(std::move(sample));
+}
+
+SampleSet ReadSamples(const TrialFile& file, int mids_per_segment) {
+  SampleSet set;
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    AddTrial(file.ReadLabels(i), i, mids_per_segment, &set);
+  }
+  return set;
+}
+
+}  // namespace prospect::model

@@ -1,0 +1,301 @@
+#include "model/training/stage.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "model/hash.h"
+#include "model/networks/blocks.h"
+#include "model/training/parallel.h"
+#include "model/training/progress.h"
+#include "model/training/random.h"
+
+namespace prospect::model {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t kWarmUp = 100;      // iterations over which the learning rate rises
+constexpr double kLastRate = 0.01;         // share of the learning rate at the end
+constexpr double kClipNorm = 100.0;        // gradient norm, as the authors'
+constexpr std::int64_t kLogEvery = 25;     // iterations a row of the curves averages over
+constexpr double kAdamEpsilon = 1e-7;      // Keras' default, as the authors'
+
+double RateAt(const StageConfig& config, std::int64_t iteration) {
+  const double warm = std::min(1.0, static_cast<double>(iteration + 1) / kWarmUp);
+  const double share = static_cast<double>(iteration) / static_cast<double>(config.iterations);
+  const double cosine = 0.5 * (1.0 + std::cos(M_PI * share));
+  return config.learning_rate * warm * (kLastRate + (1.0 - kLastRate) * cosine);
+}
+
+/// Averages of the loss parts since the last row.
+struct Means {
+  std::vector<std::pair<std::string, double>> sums;
+  std::int64_t count = 0;
+
+  void Add(const std::vector<std::pair<std::string, double>>& parts) {
+    if (sums.empty()) sums = parts;
+    else
+      for (std::size_t i = 0; i < parts.size(); ++i) sums[i].second += parts[i].second;
+    ++count;
+  }
+  std::vector<std::pair<std::string, double>> Take() {
+    for (auto& [name, sum] : sums) sum /= static_cast<double>(std::max<std::int64_t>(1, count));
+    count = 0;
+    return std::exchange(sums, {});
+  }
+};
+
+/// The rows of DIR/curves.csv: stage,iteration,name,value. After a resume, rows of iterations that will be
+/// computed again are dropped first.
+class Curves {
+ public:
+  Curves(const std::string& folder, std::string stage, std::int64_t keep_to)
+      : path_(folder + "/curves.csv"), stage_(std::move(stage)) {
+    Drop(keep_to);
+  }
+  void Write(std::int64_t iteration, const std::vector<std::pair<std::string, double>>& means) const {
+    std::ofstream out(path_, std::ios::app);
+    for (const auto& [name, value] : means) {
+      out << stage_ << ',' << iteration << ',' << name << ',' << value << '\n';
+    }
+  }
+
+ private:
+  bool Keeps(const std::string& line, std::int64_t keep_to) const {
+    const std::string prefix = stage_ + ",";
+    if (line.compare(0, prefix.size(), prefix) != 0) return true;
+    return std::strtoll(line.c_str() + prefix.size(), nullptr, 10) <= keep_to;
+  }
+  void Drop(std::int64_t keep_to) const {
+    std::string kept = "stage,iteration,name,value\n";
+    std::ifstream in(path_);
+    std::string line;
+    std::getline(in, line);  // the heading
+    while (std::getline(in, line)) {
+      if (Keeps(line, keep_to)) kept += line + "\n";
+    }
+    in.close();
+    std::ofstream(path_ + ".tmp") << kept;
+    fs::rename(path_ + ".tmp", path_);
+  }
+
+  std::string path_;
+  std::string stage_;
+};
+
+std::string NoteOf(const std::vector<std::pair<std::string, double>>& means) {
+  std::string note;
+  for (const auto& [name, value] : means) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.5f  ", name.c_str(), value);
+    note += text;
+  }
+  return note;
+}
+
+/// Weights, optimizer and iteration of a stage on disk.
+class StageFile {
+ public:
+  StageFile(const Stage& stage, const StageRun& run, std::vector<torch::Tensor> parameters,
+            torch::optim::Adam* adam)
+      : stage_(stage), run_(run), parameters_(std::move(parameters)), adam_(adam) {}
+
+  std::string finished() const { return run_.folder + "/stage-" + stage_.name() + ".pt"; }
+  std::string checkpoint() const { return run_.folder + "/stage-" + stage_.name() + ".checkpoint"; }
+
+  void Save(const std::string& path, std::int64_t iteration) const {
+    torch::serialize::OutputArchive archive;
+    archive.write("key", c10::IValue(run_.key));
+    archive.write("iteration", c10::IValue(iteration));
+    for (const auto& [name, module] : stage_.modules()) {
+      torch::serialize::OutputArchive part;
+      module->save(part);
+      archive.write(name, part);
+    }
+    torch::serialize::OutputArchive optimizer;
+    adam_->save(optimizer);
+    archive.write("optimizer", optimizer);
+    archive.save_to(path + ".tmp");
+    fs::rename(path + ".tmp", path);
+  }
+
+  /// The iteration stored, or -1 if there is no such file, it does not open, or it is of another key.
+  std::int64_t Load(const std::string& path) const {
+    if (!fs::exists(path)) return -1;
+    try {
+      return LoadWhole(path);
+    } catch (const c10::Error&) {
+      std::fprintf(stderr, "%s: does not open as a checkpoint; this stage starts anew\n",
+                   path.c_str());
+      return -1;
+    }
+  }
+
+ private:
+  std::int64_t LoadWhole(const std::string& path) const {
+    torch::serialize::InputArchive archive;
+    archive.load_from(path, run_.device);
+    c10::IValue key, iteration;
+    archive.read("key", key);
+    archive.read("iteration", iteration);
+    if (key.toStringRef() != run_.key) return -1;
+    for (const auto& [name, module] : stage_.modules()) {
+      torch::serialize::InputArchive part;
+      archive.read(name, part);
+      module->load(part);
+    }
+    torch::serialize::InputArchive optimizer;
+    archive.read("optimizer", optimizer);
+    adam_->load(optimizer);
+    return iteration.toInt();
+  }
+
+  const Stage& stage_;
+  const StageRun& run_;
+  std::vector<torch::Tensor> parameters_;
+  torch::optim::Adam* adam_;
+};
+
+std::vector<torch::Tensor> ParametersOf(const Stage& stage) {
+  std::vector<torch::Tensor> all;
+  for (const auto& [name, module] : stage.modules()) {
+    for (const torch::Tensor& tensor : module->parameters()) all.push_back(tensor);
+  }
+  return all;
+}
+
+struct ShardResult {
+  std::vector<torch::Tensor> gradients;
+  LossParts loss;
+};
+
+/// One optimisation step. Shards are computed in parallel and added in their order.
+class Stepper {
+ public:
+  Stepper(Stage* stage, const StageRun& run, std::vector<torch::Tensor> parameters,
+          torch::optim::Adam* adam)
+      : stage_(stage),
+        run_(run),
+        parameters_(std::move(parameters)),
+        adam_(adam),
+        shards_(run.device.is_cpu() ? run.shards : 1) {}
+
+  std::vector<std::pair<std::string, double>> Step(std::int64_t iteration) {
+    std::vector<ShardResult> results(static_cast<std::size_t>(shards_));
+    ParallelPieces(shards_, 1, run_.device.is_cpu() ? run_.threads : 1,
+                   [&](std::int64_t shard, std::int64_t) {
+                     results[static_cast<std::size_t>(shard)] = Shard(iteration, static_cast<int>(shard));
+                   });
+    SetGradients(results);
+    torch::nn::utils::clip_grad_norm_(parameters_, kClipNorm);
+    for (auto& group : adam_->param_groups()) {
+      static_cast<torch::optim::AdamOptions&>(group.options()).lr(RateAt(stage_->config(), iteration));
+    }
+    adam_->step();
+    return MeanParts(results);
+  }
+
+ private:
+  ShardResult Shard(std::int64_t iteration, int shard) {
+    CounterRandom random(run_.seed, HashText(stage_->name() + "/dropout"),
+                         static_cast<std::uint64_t>(iteration * 64 + shard));
+    const std::uint64_t seed = random.Next();
+    SeedDropout(seed);
+    if (!run_.device.is_cpu()) torch::manual_seed(seed);
+    ShardResult result;
+    result.loss = stage_->Loss(iteration, shard, shards_);
+    result.gradients = torch::autograd::grad({result.loss.loss}, parameters_, {}, false, false, true);
+    return result;
+  }
+
+  void SetGradients(const std::vector<ShardResult>& results) {
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      torch::Tensor sum = torch::zeros_like(parameters_[i]);
+      for (const ShardResult& result : results) {
+        if (result.gradients[i].defined()) sum += result.gradients[i];
+      }
+      parameters_[i].mutable_grad() = sum.div_(shards_);
+    }
+  }
+
+  std::vector<std::pair<std::string, double>> MeanParts(const std::vector<ShardResult>& results) const {
+    std::vector<std::pair<std::string, double>> means = results[0].loss.parts;
+    for (std::size_t s = 1; s < results.size(); ++s) {
+      for (std::size_t i = 0; i < means.size(); ++i) means[i].second += results[s].loss.parts[i].second;
+    }
+    for (auto& [name, value] : means) {
+      value /= shards_;
+      if (!std::isfinite(value)) {
+        throw std::runtime_error("stage " + stage_->name() + ": the loss '" + name +
+                                 "' is no longer a number; lower its learning_rate");
+      }
+    }
+    return means;
+  }
+
+  Stage* stage_;
+  const StageRun& run_;
+  std::vector<torch::Tensor> parameters_;
+  torch::optim::Adam* adam_;
+  int shards_;
+};
+
+void SetMode(const Stage& stage, bool training) {
+  for (const auto& [name, module] : stage.modules()) module->train(training);
+}
+
+/// Iterations `first` to the end. False if stop_after ended it early.
+bool Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* stepper,
+           std::int64_t first) {
+  const std::int64_t total = stage->config().iterations;
+  const Curves curves(run.folder, stage->name(), first);
+  ProgressLine progress(stage->name(), first);
+  Means means;
+  Clock::time_point saved = Clock::now();
+  for (std::int64_t i = first; i < total; ++i) {
+    if (run.stop_after >= 0 && i >= run.stop_after) return false;
+    means.Add(stepper->Step(i));
+    if ((i + 1) % kLogEvery != 0 && i + 1 != total) continue;
+    const auto row = means.Take();
+    curves.Write(i + 1, row);
+    progress.Show(i + 1, total, NoteOf(row));
+    // Only here, so that the averages of the curves need not be stored.
+    if (std::chrono::duration<double>(Clock::now() - saved).count() >= run.checkpoint_seconds) {
+      file.Save(file.checkpoint(), i + 1);
+      saved = Clock::now();
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool RunStage(Stage* stage, const StageRun& run) {
+  fs::create_directories(run.folder);
+  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
+  torch::optim::Adam adam(parameters,
+                          torch::optim::AdamOptions(stage->config().learning_rate).eps(kAdamEpsilon));
+  const StageFile file(*stage, run, parameters, &adam);
+  if (file.Load(file.finished()) >= 0) {
+    std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
+    SetMode(*stage, false);
+    return true;
+  }
+  SetMode(*stage, true);
+  Stepper stepper(stage, run, parameters, &adam);
+  const std::int64_t first = std::max<std::int64_t>(0, file.Load(file.checkpoint()));
+  if (!Train(stage, run, file, &stepper, first)) return false;
+  file.Save(file.finished(), stage->config().iterations);
+  fs::remove(file.checkpoint());
+  SetMode(*stage, false);
+  return true;
+}
+
+}  // namespace prospect::model

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <torch/torch.h>
+
+#include <string>
+#include <vector>
+
+#include "model/training/train_config.h"
+
+namespace prospect::model {
+
+/// What one shard of one batch gives: the loss to minimise and its named parts for the curves.
+struct LossParts {
+  torch::Tensor loss;                                 ///< scalar
+  std::vector<std::pair<std::string, double>> parts;  ///< same names every time
+};
+
+/// One step of the training order: some networks, a loss, a number of iterations.
+class Stage {
+ public:
+  virtual ~Stage() = default;
+  virtual std::string name() const = 0;
+  virtual const StageConfig& config() const = 0;
+  /// The networks it trains, with the names they have in checkpoints.
+  virtual std::vector<std::pair<std::string, torch::nn::Module*>> modules() const = 0;
+  /// Shard `shard` of `shards` of batch `iteration`: a pure function of these numbers, the weights and the
+  /// data. Called from several threads at once for different shards; dropout is seeded by the caller.
+  virtual LossParts Loss(std::int64_t iteration, int shard, int shards) = 0;
+};
+
+/// Where and how a stage runs.
+struct StageRun {
+  std::string folder;  ///< DIR: checkpoints, finished stages, curves.csv
+  std::string key;     ///< hash of everything the result depends on
+  std::uint64_t seed = 1;
+  int shards = 2;
+  int threads = 2;
+  double checkpoint_seconds = 60;
+  torch::Device device = torch::kCPU;
+  /// For tests: stop (as if killed) after this many iterations; -1 = never.
+  std::int64_t stop_after = -1;
+};
+
+/// Runs a stage to its end, or continues it from its checkpoint, or loads its result if `run.key` is already
+/// finished. The result is the same in all three cases (same machine, same shards). Writes
+/// DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`, and rows to
+/// DIR/curves.csv; progress with an estimate of the time left goes to stderr.
+/// Returns false only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be written or the
+/// loss stops being a number.
+bool RunStage(Stage* stage, const StageRun& run);
+
+}  // namespace prospect::model

@@ -1,0 +1,140 @@
+#include "model/training/train_config.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "model/json_fields.h"
+
+namespace prospect::model {
+namespace {
+
+void Require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+void ValidateStage(const StageConfig& stage, const std::string& name) {
+  Require(stage.iterations >= 0, name + ".iterations: must not be negative");
+  Require(stage.batch >= 1 && stage.batch <= 4096, name + ".batch: must be 1 to 4096");
+  Require(stage.learning_rate > 0 && stage.learning_rate < 1,
+          name + ".learning_rate: must be above 0, below 1");
+}
+
+TrainConfig Navigation() {
+  TrainConfig c;
+  c.network.num_actions = 7;
+  c.network.head_dropout = 0.2;  // tens of thousands of scenes: 0.5 underfits
+  // The site is seen from straight above, and nothing in it prefers a direction.
+  c.augment = "dihedral";
+  c.hidden_variants = 2;
+  c.focus = 8.0;
+  c.classifier = {700, 16, 1e-3};
+  c.encoder_decoder = {4500, 16, 1.5e-3};
+  c.transform_hidden = {7000, 32, 1e-3};
+  c.transform_image = {300, 16, 3e-4};
+  c.heads = {3000, 32, 1e-3};
+  c.linked_steps = 3;  // plans have three to five legs
+  c.repeat_last = false;
+  c.start_share = 0.8;  // the planner always looks between actions
+  c.done_weight = 0.05;
+  return c;
+}
+
+}  // namespace
+
+TrainConfig TrainConfigFor(const std::string& task) {
+  if (task == "navigation") return Navigation();
+  throw std::invalid_argument("task '" + task + "': no training configuration; known: navigation");
+}
+
+void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
+  const std::int64_t now = config->transform_hidden.iterations + config->transform_image.iterations;
+  Require(now > 0 && transform_iterations > 0, "iterations: must be positive");
+  for (StageConfig* stage :
+       {&config->classifier, &config->encoder_decoder, &config->transform_hidden,
+        &config->transform_image, &config->heads}) {
+    const std::int64_t scaled = stage->iterations * transform_iterations / now;
+    stage->iterations = stage->iterations > 0 ? std::max<std::int64_t>(1, scaled) : 0;
+  }
+}
+
+void Validate(const TrainConfig& c) {
+  Validate(c.network);
+  Require(c.shards >= 1 && c.shards <= 64, "shards: must be 1 to 64");
+  Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100, "mids_per_segment: must be 0 to 100");
+  Require(c.augment == "none" || c.augment == "dihedral", "augment: must be none or dihedral");
+  Require(c.augment == "none" || c.network.image_width == c.network.image_height,
+          "augment: dihedral needs square pictures");
+  Require(c.hidden_variants >= 1 && c.hidden_variants <= (c.augment == "none" ? 1 : 8),
+          "hidden_variants: must be 1, or up to 8 with augment = dihedral");
+  Require(c.focus >= 0, "focus: must not be negative");
+  Require(c.linked_steps >= 1 && c.linked_steps <= 5, "linked_steps: must be 1 to 5");
+  Require(c.start_share >= 0 && c.start_share <= 1, "start_share: must be 0 to 1");
+  Require(c.imagined_share >= 0 && c.imagined_share <= 1, "imagined_share: must be 0 to 1");
+  ValidateStage(c.classifier, "classifier");
+  ValidateStage(c.encoder_decoder, "encoder_decoder");
+  ValidateStage(c.transform_hidden, "transform_hidden");
+  ValidateStage(c.transform_image, "transform_image");
+  ValidateStage(c.heads, "heads");
+}
+
+void to_json(nlohmann::json& json, const StageConfig& c) {
+  json = {{"iterations", c.iterations}, {"batch", c.batch}, {"learning_rate", c.learning_rate}};
+}
+
+void from_json(const nlohmann::json& json, StageConfig& c) {
+  JsonFields(json, "stage")
+      .Read("iterations", &c.iterations)
+      .Read("batch", &c.batch)
+      .Read("learning_rate", &c.learning_rate)
+      .RefuseOthers();
+}
+
+void to_json(nlohmann::json& json, const TrainConfig& c) {
+  json = {{"network", c.network},
+          {"seed", c.seed},
+          {"shards", c.shards},
+          {"checkpoint_seconds", c.checkpoint_seconds},
+          {"mids_per_segment", c.mids_per_segment},
+          {"augment", c.augment},
+          {"hidden_variants", c.hidden_variants},
+          {"focus", c.focus},
+          {"classifier", c.classifier},
+          {"encoder_decoder", c.encoder_decoder},
+          {"transform_hidden", c.transform_hidden},
+          {"transform_image", c.transform_image},
+          {"heads", c.heads},
+          {"lambda", c.lambda},
+          {"linked_steps", c.linked_steps},
+          {"repeat_last", c.repeat_last},
+          {"start_share", c.start_share},
+          {"done_weight", c.done_weight},
+          {"imagined_share", c.imagined_share}};
+}
+
+void from_json(const nlohmann::json& json, TrainConfig& c) {
+  JsonFields(json, "config")
+      .Read("network", &c.network)
+      .Read("seed", &c.seed)
+      .Read("shards", &c.shards)
+      .Read("checkpoint_seconds", &c.checkpoint_seconds)
+      .Read("mids_per_segment", &c.mids_per_segment)
+      .Read("augment", &c.augment)
+      .Read("hidden_variants", &c.hidden_variants)
+      .Read("focus", &c.focus)
+      .Read("classifier", &c.classifier)
+      .Read("encoder_decoder", &c.encoder_decoder)
+      .Read("transform_hidden", &c.transform_hidden)
+      .Read("transform_image", &c.transform_image)
+      .Read("heads", &c.heads)
+      .Read("lambda", &c.lambda)
+      .Read("linked_steps", &c.linked_steps)
+      .Read("repeat_last", &c.repeat_last)
+      .Read("start_share", &c.start_share)
+      .Read("done_weight", &c.done_weight)
+      .Read("imagined_share", &c.imagined_share)
+      .RefuseOthers();
+  Validate(c);
+}
+
+}  // namespace prospect::model

@@ -1,0 +1,223 @@
+#include "model/training/trainer.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "model/hash.h"
+#include "model/training/heads_stage.h"
+#include "model/training/picture_stages.h"
+#include "model/training/progress.h"
+#include "model/training/stage.h"
+#include "model/training/transform_stages.h"
+#include "model/weights.h"
+
+namespace prospect::model {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// Only what a result depends on goes into its key, so that changing the heads does not train the encoder anew.
+std::string KeyOf(const json& inputs) { return HexText(HashText(inputs.dump())); }
+
+json PictureNetwork(const NetworkConfig& c) {
+  return {c.image_width, c.image_height, c.hidden_channels, c.dropout, c.activation};
+}
+
+json TransformNetwork(const NetworkConfig& c) {
+  return {c.num_actions, c.skip, c.transform_extra_stages};
+}
+
+json HeadNetwork(const NetworkConfig& c) { return {c.head_dropout, c.heads}; }
+
+const std::set<std::string> kStages = {"classifier", "second-classifier", "encoder-decoder",
+                                       "transform", "heads"};
+
+void RequireKnownStages(const std::set<std::string>& stages) {
+  for (const std::string& stage : stages) {
+    if (kStages.count(stage) == 0) {
+      throw std::invalid_argument("stage '" + stage +
+                                  "': known are classifier, second-classifier, encoder-decoder, "
+                                  "transform and heads");
+    }
+  }
+}
+
+SampleSet ReadSamplesOfTask(const TrialFile& file, const TrainConfig& config,
+                            const std::string& task) {
+  std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
+  SampleSet samples = ReadSamples(file, config.mids_per_segment);
+  if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");
+  if (samples.task != task) {
+    throw DataError(file.path() + ": holds trials of '" + samples.task + "', not of '" + task + "'");
+  }
+  const NetworkConfig& n = config.network;
+  if (samples.num_actions != n.num_actions || samples.width != n.image_width ||
+      samples.height != n.image_height) {
+    throw DataError(file.path() + ": number of actions or picture size differ from the configuration");
+  }
+  return samples;
+}
+
+ProgressFn ProgressOf(const std::string& what) {
+  auto line = std::make_shared<ProgressLine>(what);
+  return [line](std::int64_t done, std::int64_t total) { line->Show(done, total); };
+}
+
+std::string CachePath(const TrainOptions& options, const std::string& name, const std::string& key) {
+  const std::string folder = options.folder + "/cache";
+  fs::create_directories(folder);
+  return folder + "/" + name + "-" + key;
+}
+
+}  // namespace
+
+struct Trainer::Impl {
+  TrainConfig config;
+  TrainOptions options;
+  TrialFile file;
+  SampleSet samples;
+  std::string data_hash;
+  std::string data_key;
+  PictureCache pictures;
+  std::unique_ptr<HiddenCache> hidden;
+  TrainContext context;
+  std::string from_hash;
+
+  Impl(const TrainConfig& c, const TrainOptions& o)
+      : config(c),
+        options(o),
+        file(o.data),
+        samples(ReadSamplesOfTask(file, c, o.task)),
+        data_hash(file.ContentHash()),
+        data_key(KeyOf({"data-1", data_hash, c.mids_per_segment})),
+        pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
+        context{config,  samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
+                {}} {
+    context.mean_picture =
+        pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
+    if (!o.from.empty()) from_hash = HexText(WeightsFileHash(o.from));
+  }
+
+  bool Wants(const std::string& stage) const {
+    return options.stages.empty() || options.stages.count(stage) > 0;
+  }
+
+  /// First weights of one network: from the weights file asked for, or random, by the stage's own seed.
+  void Initialise(const std::string& prefix, torch::nn::Module* module) const {
+    torch::manual_seed(Mix64(config.seed ^ HashText(prefix)));
+    module->to(torch::kCPU);
+    InitialiseGlorot(module);
+    if (!options.from.empty()) LoadModule(options.from, prefix, module);
+    module->to(context.device);
+  }
+
+  StageRun RunOf(const std::string& key) const {
+    StageRun run;
+    run.folder = options.folder;
+    run.key = key;
+    run.seed = config.seed;
+    run.shards = config.shards;
+    run.threads = options.threads;
+    run.checkpoint_seconds = config.checkpoint_seconds;
+    run.device = context.device;
+    return run;
+  }
+
+  std::string BaseKey() const {
+    return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});
+  }
+  std::string ClassifierKey() const {
+    return KeyOf({"classifier-1", BaseKey(), PictureNetwork(config.network),
+                  config.network.num_actions, config.network.head_dropout, config.augment,
+                  config.classifier});
+  }
+  std::string EncoderKey() const {
+    return KeyOf({"encoder-1", BaseKey(), PictureNetwork(config.network), config.augment,
+                  config.focus, config.encoder_decoder});
+  }
+  std::string HiddenKey() const { return KeyOf({"hidden-1", EncoderKey(), config.hidden_variants}); }
+  std::string TransformHiddenKey() const {
+    return KeyOf({"transform-hidden-1", HiddenKey(), TransformNetwork(config.network),
+                  HeadNetwork(config.network), config.transform_hidden, config.linked_steps,
+                  config.repeat_last, config.start_share, config.done_weight});
+  }
+  std::string TransformKey() const {
+    return KeyOf({"transform-image-1", TransformHiddenKey(), ClassifierKey(), config.transform_image,
+                  config.lambda});
+  }
+  std::string HeadsKey() const {
+    return KeyOf({"heads-1", TransformKey(), config.heads, config.imagined_share});
+  }
+
+  void TrainClassifier(const std::string& name, Classifier classifier) {
+    Initialise(name == "classifier" ? "classifier" : "second_classifier", classifier.ptr().get());
+    RunStage(MakeClassifierStage(context, classifier, name).get(), RunOf(ClassifierKey()));
+  }
+
+  void TrainEncoder() {
+    Initialise("encoder", context.networks.encoder.ptr().get());
+    Initialise("decoder", context.networks.decoder.ptr().get());
+    RunStage(MakeEncoderDecoderStage(context).get(), RunOf(EncoderKey()));
+  }
+
+  void Encode() {
+    const NetworkConfig& n = config.network;
+    hidden = std::make_unique<HiddenCache>(
+        CachePath(options, "hidden", HiddenKey()), pictures, samples.frames.size(),
+        config.hidden_variants, context.networks.encoder, n, options.threads, context.device,
+        ProgressOf("encodings"));
+    context.hidden = hidden.get();
+  }
+
+  void TrainTransform() {
+    Initialise("transform", context.networks.transform.ptr().get());
+    Initialise("f", context.networks.f.ptr().get());
+    if (config.transform_hidden.iterations > 0) {
+      RunStage(MakeTransformHiddenStage(context).get(), RunOf(TransformHiddenKey()));
+    }
+    if (config.transform_image.iterations > 0) {
+      RunStage(MakeTransformImageStage(context).get(), RunOf(TransformKey()));
+    }
+  }
+
+  void TrainHeads() {
+    for (const auto& [name, module] : context.networks.named()) {
+      if (name == "value" || name == "q" || name == "p") Initialise(name, module);
+    }
+    RunStage(MakeHeadsStage(context).get(), RunOf(HeadsKey()));
+  }
+};
+
+Trainer::Trainer(const TrainConfig& config, const TrainOptions& options) {
+  Validate(config);
+  RequireKnownStages(options.stages);
+  fs::create_directories(options.folder);
+  at::set_num_threads(1);  // shards are the parallelism; see RunStage
+  impl_ = std::make_unique<Impl>(config, options);
+}
+
+Trainer::~Trainer() = default;
+
+void Trainer::Run() {
+  Impl& run = *impl_;
+  Networks& networks = run.context.networks;
+  if (run.Wants("classifier")) run.TrainClassifier("classifier", networks.classifier);
+  if (run.Wants("second-classifier")) {
+    run.TrainClassifier("second-classifier", networks.second_classifier);
+  }
+  if (run.Wants("encoder-decoder")) run.TrainEncoder();
+  if (run.Wants("transform") || run.Wants("heads")) run.Encode();
+  if (run.Wants("transform")) run.TrainTransform();
+  if (run.Wants("heads")) run.TrainHeads();
+  networks.SetTraining(false);
+}
+
+const TrainContext& Trainer::context() const { return impl_->context; }
+const TrialFile& Trainer::file() const { return impl_->file; }
+const std::string& Trainer::data_hash() const { return impl_->data_hash; }
+const TrainOptions& Trainer::options() const { return impl_->options; }
+
+}  // namespace prospect::model

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "model/training/context.h"
+
+namespace prospect::model {
+
+/// How a training run is asked for.
+struct TrainOptions {
+  std::string task;
+  std::string data;    ///< an HDF5 data set (model/dataset.h)
+  std::string folder;  ///< DIR: checkpoints, caches, curves.csv, the weights
+  std::string from;    ///< a weights file to begin from; empty = from random weights
+  std::string device = "cpu";
+  int threads = 2;
+  /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder, transform, heads.
+  std::set<std::string> stages;
+};
+
+/// The whole training order (DESIGN §5): C and a second classifier, encoder and decoder, T, then V, Q, p, f.
+/// Each stage resumes from its checkpoint, and is skipped when it was already trained from the same inputs.
+/// One object one run; not thread-safe. It uses `threads` threads inside.
+class Trainer {
+ public:
+  /// Reads labels and builds the picture cache. Throws DataError, WeightsError, std::invalid_argument.
+  Trainer(const TrainConfig& config, const TrainOptions& options);
+  ~Trainer();
+
+  /// Trains what is asked for; throws as RunStage does.
+  void Run();
+
+  /// After Run: the networks in inference mode, and what they were trained on.
+  const TrainContext& context() const;
+  const TrialFile& file() const;
+  /// Hash of labels and configuration that everything depends on.
+  const std::string& data_hash() const;
+  const TrainOptions& options() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace prospect::model

@@ -1,0 +1,158 @@
+#include "model/training/transform_stages.h"
+
+#include "model/training/batches.h"
+
+namespace prospect::model {
+namespace {
+
+/// What both of T's stages share: the chains they train on, and the loss of f on T's states.
+class TransformStage : public Stage {
+ public:
+  explicit TransformStage(const TrainContext& context)
+      : context_(context), segments_(context.samples.SegmentsOf(Split::kTrain)) {
+    if (segments_.empty()) throw DataError("the training part has no actions; collect more trials");
+  }
+  std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
+    return {{"transform", context_.networks.transform.ptr().get()},
+            {"f", context_.networks.f.ptr().get()}};
+  }
+
+ protected:
+  ChainBatch Draw(CounterRandom* random, int size, int variant) const {
+    std::vector<Chain> chains;
+    std::vector<int> variants;
+    for (int i = 0; i < size; ++i) {
+      const int s = segments_[static_cast<std::size_t>(
+          random->Below(static_cast<std::int64_t>(segments_.size())))];
+      chains.push_back(MakeChain(context_, s, DrawStart(context_.segment(s), random),
+                                 context_.config.linked_steps, context_.config.repeat_last));
+      variants.push_back(
+          variant >= 0 ? variant : static_cast<int>(random->Below(context_.config.hidden_variants)));
+    }
+    return {context_, std::move(chains), std::move(variants)};
+  }
+
+  /// Binary cross-entropy of f on an imagined state, whose gradient also reaches T (done_weight).
+  torch::Tensor DoneLoss(const torch::Tensor& h0, const torch::Tensor& h, const ChainBatch& batch,
+                         int step) const {
+    Networks networks = context_.networks;
+    const torch::Tensor logit = networks.f->forward(h0, h, batch.Actions(step)).squeeze(1);
+    return (torch::binary_cross_entropy_with_logits(logit, batch.Succeeded(step), {}, {},
+                                                    at::Reduction::None) *
+            batch.Weights(step))
+        .mean();
+  }
+
+  const TrainContext& context_;
+
+ private:
+  int DrawStart(const SegmentSample& segment, CounterRandom* random) const {
+    if (segment.mids.empty() || random->Uniform() < context_.config.start_share) return segment.start;
+    return segment.mids[static_cast<std::size_t>(
+        random->Below(static_cast<std::int64_t>(segment.mids.size())))];
+  }
+
+  std::vector<int> segments_;
+};
+
+class TransformHiddenStage : public TransformStage {
+ public:
+  using TransformStage::TransformStage;
+  std::string name() const override { return "transform-hidden"; }
+  const StageConfig& config() const override { return context_.config.transform_hidden; }
+
+  LossParts Loss(std::int64_t iteration, int shard, int shards) override {
+    CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
+    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards), -1);
+    const torch::Tensor h0 = batch.First();
+    torch::Tensor h = batch.Start();
+    torch::Tensor loss = torch::zeros({}, h.options());
+    torch::Tensor done = torch::zeros({}, h.options());
+    LossParts result;
+    Networks networks = context_.networks;
+    for (int k = 0; k < batch.steps(); ++k) {
+      h = networks.transform->forward(h0, h, batch.Actions(k));
+      const torch::Tensor error =
+          ((h - batch.Goal(k)).abs().mean({1, 2, 3}) * batch.Weights(k)).mean();
+      result.parts.emplace_back("l1_h" + std::to_string(k + 1), error.item<double>());
+      loss = loss + error;
+      if (context_.config.done_weight > 0) done = done + DoneLoss(h0, h, batch, k);
+    }
+    result.parts.emplace_back("done", done.item<double>());
+    result.loss = loss + context_.config.done_weight * done;
+    return result;
+  }
+};
+
+class TransformImageStage : public TransformStage {
+ public:
+  explicit TransformImageStage(const TrainContext& context) : TransformStage(context) {
+    context.networks.decoder.ptr()->eval();
+    context.networks.classifier.ptr()->eval();
+    for (const auto& [name, module] : context.networks.named()) {
+      if (name != "decoder" && name != "classifier") continue;
+      for (torch::Tensor& tensor : module->parameters()) tensor.set_requires_grad(false);
+    }
+  }
+  std::string name() const override { return "transform-image"; }
+  const StageConfig& config() const override { return context_.config.transform_image; }
+
+  LossParts Loss(std::int64_t iteration, int shard, int shards) override {
+    CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
+    const int variant = static_cast<int>(random.Below(context_.config.hidden_variants));
+    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards), variant);
+    const torch::Tensor h0 = batch.First();
+    torch::Tensor h = batch.Start();
+    LossParts result;
+    result.loss = torch::zeros({}, h.options());
+    Networks networks = context_.networks;
+    for (int k = 0; k < batch.steps(); ++k) {
+      h = networks.transform->forward(h0, h, batch.Actions(k));
+      if (k < 2) AddPictureLoss(h, batch, k, variant, &result);
+      if (context_.config.done_weight > 0) {
+        result.loss = result.loss + context_.config.done_weight * DoneLoss(h0, h, batch, k);
+      }
+    }
+    return result;
+  }
+
+ private:
+  void AddPictureLoss(const torch::Tensor& h, const ChainBatch& batch, int step, int variant,
+                      LossParts* result) const {
+    Networks networks = context_.networks;
+    const torch::Tensor raw = context_.pictures.Get(batch.GoalSlots(step)).to(context_.device);
+    const torch::Tensor goal = Dihedral(raw, variant);
+    const torch::Tensor focus =
+        Dihedral(PixelWeights(raw, context_.mean_picture, context_.config.focus), variant);
+    const torch::Tensor x = networks.decoder->forward(h);
+    const torch::Tensor error = (x - goal).abs();
+    const torch::Tensor weights = batch.Weights(step);
+    result->loss = result->loss + ((error * focus).mean({1, 2, 3}) * weights).mean();
+    result->parts.emplace_back("l1_x" + std::to_string(step + 1),
+                               (error.mean({1, 2, 3}) * weights).mean().item<double>());
+    if (step == 1) AddClassifierLoss(x, batch, step, result);
+  }
+
+  void AddClassifierLoss(const torch::Tensor& x, const ChainBatch& batch, int step,
+                         LossParts* result) const {
+    Networks networks = context_.networks;
+    const torch::Tensor entropy =
+        torch::cross_entropy_loss(networks.classifier->forward(x), batch.Actions(step), {},
+                                  at::Reduction::None);
+    const torch::Tensor mean = (entropy * batch.Weights(step) * batch.Succeeded(step)).mean();
+    result->loss = result->loss + context_.config.lambda * mean;
+    result->parts.emplace_back("classifier", mean.item<double>());
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> MakeTransformHiddenStage(const TrainContext& context) {
+  return std::make_unique<TransformHiddenStage>(context);
+}
+
+std::unique_ptr<Stage> MakeTransformImageStage(const TrainContext& context) {
+  return std::make_unique<TransformImageStage>(context);
+}
+
+}  // namespace prospect::model

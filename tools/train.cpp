@@ -1,0 +1,110 @@
+// prospect-train: trains the networks of a task from a data set (DESIGN §5).
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "model/dataset.h"
+#include "model/training/trainer.h"
+#include "model/weights.h"
+
+namespace prospect {
+namespace {
+
+constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
+
+struct Arguments {
+  model::TrainOptions options;
+  std::string config_file;
+  std::string json_file;
+  std::int64_t iterations = 0;
+  std::int64_t seed = -1;
+  std::vector<std::string> stages;
+  bool print_config = false;
+};
+
+void AddOptions(CLI::App* app, Arguments* a) {
+  app->add_option("--task", a->options.task, "the task to train for")->required();
+  app->add_option("--data", a->options.data, "data set made by collect (HDF5)");
+  app->add_option("--out", a->options.folder, "folder for checkpoints, caches, curves.csv and weights");
+  app->add_option("--iterations", a->iterations,
+                  "iterations of the transform network; the other stages scale with it")
+      ->check(CLI::PositiveNumber);
+  app->add_option("--device", a->options.device, "cpu or cuda")->check(CLI::IsMember({"cpu", "cuda"}));
+  app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
+  app->add_option("--seed", a->seed, "seed of first weights, batches and dropout")
+      ->check(CLI::NonNegativeNumber);
+  app->add_option("--config", a->config_file, "JSON with the options to change (see --print-config)")
+      ->check(CLI::ExistingFile);
+  app->add_option("--threads", a->options.threads, "CPU threads")->check(CLI::Range(1, 256));
+  app->add_option("--stage", a->stages,
+                  "only these stages: classifier, second-classifier, encoder-decoder, transform, heads");
+  app->add_option("--json", a->json_file, "write the scores here, too");
+  app->add_flag("--print-config", a->print_config, "print the configuration and stop");
+}
+
+model::TrainConfig ConfigOf(const Arguments& a) {
+  model::TrainConfig config = model::TrainConfigFor(a.options.task);
+  if (!a.config_file.empty()) {
+    std::ifstream in(a.config_file);
+    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+    if (json.is_discarded()) throw std::invalid_argument(a.config_file + ": is not JSON");
+    json.get_to(config);
+  }
+  if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
+  if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
+  return config;
+}
+
+int Run(Arguments a) {
+  const model::TrainConfig config = ConfigOf(a);
+  if (a.print_config) {
+    std::printf("%s\n", nlohmann::json(config).dump(2).c_str());
+    return 0;
+  }
+  if (a.options.data.empty() || a.options.folder.empty()) {
+    throw std::invalid_argument("--data and --out are required");
+  }
+  a.options.stages.insert(a.stages.begin(), a.stages.end());
+  model::Trainer trainer(config, a.options);
+  trainer.Run();
+  return 0;
+}
+
+int RunGuarded(const Arguments& a) {
+  try {
+    return Run(a);
+  } catch (const model::DataError& error) {
+    std::fprintf(stderr, "prospect-train: %s\n", error.what());
+    return kExitData;
+  } catch (const model::WeightsError& error) {
+    std::fprintf(stderr, "prospect-train: %s\n", error.what());
+    return kExitWeights;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-train: %s\n", error.what());
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prospect-train: %s\n", error.what());
+    return kExitDisk;
+  }
+}
+
+}  // namespace
+}  // namespace prospect
+
+int main(int argc, char** argv) {
+  CLI::App app("Trains the networks of a task from a data set.");
+  prospect::Arguments arguments;
+  prospect::AddOptions(&app, &arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : prospect::kExitUsage;
+  }
+  return prospect::RunGuarded(arguments);
+}
