@@ -20,7 +20,7 @@ class ModelSource {
 
 // Runs `search` until it is done and nothing is in flight, with up to `leaves` paths in each batch
 // (>= 1). Time stands still: deadlines do not apply. Throws what the model throws, and
-// std::runtime_error if an evaluation is refused.
+// std::runtime_error if an evaluation is refused, or the search waits for other live workers' rows.
 void RunSearch(Search* search, ModelSource* model, int leaves = 1);
 
 }  // namespace prospect::planner
