@@ -1,0 +1,150 @@
+// prospect-from-log: turns logs of the bus into a data set that trains the same networks as
+// collected ones.
+//   prospect-from-log LOG... --out FILE.h5 [--json FILE]
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "model/dataset.h"
+#include "services/common/json_file.h"
+#include "services/common/run_main.h"
+#include "services/from_log/log_importer.h"
+
+namespace prospect::services {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> logs;
+  std::string out;
+  std::string json;
+};
+
+// A folder for the files of single trials beside the data set, removed with the object.
+class Parts {
+ public:
+  explicit Parts(const std::string& out) : folder_(out + ".parts" + std::to_string(getpid())) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw ExitError(kExitDisk, folder_ + " cannot be made: choose another --out");
+  }
+  ~Parts() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  // Refused by the data set's rules: DataError. The disk at fault: ExitError.
+  void Write(const model::Trial& trial) {
+    model::ValidateTrial(trial);
+    const std::string path = folder_ + "/trial_" + std::to_string(trial.seed) + ".h5";
+    try {
+      model::WriteTrialFile(path, trial);
+    } catch (const model::DataError& error) {
+      throw ExitError(kExitDisk, error.what());
+    }
+    files_.push_back(path);
+  }
+
+  const std::vector<std::string>& files() const { return files_; }
+
+ private:
+  std::string folder_;
+  std::vector<std::string> files_;
+};
+
+struct LogCounts {
+  std::int64_t events = 0;
+  std::int64_t damaged = 0;
+};
+
+LogCounts ReadLogs(const std::vector<std::string>& paths, LogImporter& importer) {
+  LogCounts counts;
+  for (const std::string& path : paths) {
+    EventLog log(path);
+    LogEvent event;
+    while (log.Next(event)) importer.Take(event);
+    importer.EndOfLog();
+    counts.events += log.events();
+    counts.damaged += log.damaged();
+  }
+  return counts;
+}
+
+void Print(const LogImporter& importer, const LogCounts& counts, std::size_t trials) {
+  for (const ImportRow& row : importer.rows()) {
+    std::printf("episode %lld: %lld frames, %s%s%s\n", static_cast<long long>(row.episode_id),
+                static_cast<long long>(row.frames), row.outcome.c_str(),
+                row.reason.empty() ? "" : ": ", row.reason.c_str());
+  }
+  for (const auto& [reason, count] : importer.refused()) {
+    std::printf("%lld messages refused: %s\n", static_cast<long long>(count), reason.c_str());
+  }
+  std::printf("%lld events, %lld damaged places, %zu trials\n",
+              static_cast<long long>(counts.events), static_cast<long long>(counts.damaged),
+              trials);
+}
+
+// Keys: events, damaged, trials, messages_refused {"CHANNEL: reason": n}, rows [{episode, frames,
+// outcome, reason}].
+nlohmann::json Report(const LogImporter& importer, const LogCounts& counts, std::size_t trials) {
+  nlohmann::json report = {{"events", counts.events},
+                           {"damaged", counts.damaged},
+                           {"trials", trials},
+                           {"messages_refused", importer.refused()},
+                           {"rows", nlohmann::json::array()}};
+  for (const ImportRow& row : importer.rows()) {
+    report["rows"].push_back({{"episode", row.episode_id},
+                              {"frames", row.frames},
+                              {"outcome", row.outcome},
+                              {"reason", row.reason}});
+  }
+  return report;
+}
+
+void Pack(const std::vector<std::string>& files, const std::string& out) {
+  if (files.empty())
+    throw ExitError(kExitDataFile, "the logs hold no whole trial: nothing was written");
+  try {
+    model::PackTrialFiles(files, out);
+  } catch (const model::DataError& error) {
+    throw ExitError(kExitDataFile, error.what());
+  }
+}
+
+int Import(const Options& options) {
+  Parts parts(options.out);
+  LogImporter importer([&](const model::Trial& trial) { parts.Write(trial); });
+  const LogCounts counts = ReadLogs(options.logs, importer);
+  Print(importer, counts, parts.files().size());
+  if (!options.json.empty())
+    WriteJsonFile(options.json, Report(importer, counts, parts.files().size()));
+  Pack(parts.files(), options.out);
+  return kExitSuccess;
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Turns logs of the bus into a data set.");
+  Options options;
+  app.add_option("logs", options.logs, "logs that lcm-logger wrote")->required();
+  app.add_option("--out", options.out, "the data set to write (HDF5)")->required();
+  app.add_option("--json", options.json, "also write the figures to this file");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  return Import(options);
+}
+
+}  // namespace
+}  // namespace prospect::services
+
+int main(int argc, char** argv) {
+  return prospect::services::RunMain([&] { return prospect::services::Run(argc, argv); });
+}

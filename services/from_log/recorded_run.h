@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/messages.h"
+#include "model/trial.h"
+
+namespace prospect::services {
+
+/// A recorded run that is no whole trial. The message is the reason, such as "frame 17 is missing".
+class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What a log holds of one run of one scene: pictures and labels by frame, each kept once however
+/// often it was published. Plain data with one thing to do: become a trial. Not thread-safe.
+class RecordedRun {
+ public:
+  explicit RecordedRun(std::int64_t episode_id) : episode_id_(episode_id) {}
+
+  std::int64_t episode_id() const { return episode_id_; }
+  /// Highest frame heard of, in pictures or labels; -1 for none.
+  std::int64_t last_frame() const { return last_frame_; }
+  /// Number of different pictures.
+  std::size_t pictures() const { return pictures_.size(); }
+
+  void Add(const observation_t& observation);
+  void Add(const label_t& label);
+  /// The TASK in force; the latest one given counts.
+  void SetTask(std::shared_ptr<const task_t> task) { task_ = std::move(task); }
+
+  /// The trial, as a collector would have written it for this scene, but for two things: its
+  /// pictures are those that were on the bus, with the sensor's noise in them, and image_noise is
+  /// therefore 0, so that no reader adds it again. Frames after the one that ended the trial are
+  /// left out.
+  /// @throws RunError when a frame or its label is missing, the trial did not end, or messages
+  /// contradict each other
+  model::Trial ToTrial() const;
+
+ private:
+  std::int64_t FindEnd() const;
+  void RequireWhole(std::int64_t end) const;
+  void Describe(std::int64_t end, model::Trial& trial) const;
+  void AppendFrame(std::int64_t frame, model::Trial& trial) const;
+
+  std::int64_t episode_id_;
+  std::int64_t last_frame_ = -1;
+  std::map<std::int64_t, observation_t> pictures_;
+  std::map<std::int64_t, label_t> labels_;
+  std::shared_ptr<const task_t> task_;
+};
+
+/// The hash of a task as data sets store it (sim::TaskSpec::Hash as text), from what TASK says.
+/// TASK's own task_hash also covers the plan's length, which data sets leave open.
+std::string DataSetTaskHash(const task_t& task);
+
+}  // namespace prospect::services
