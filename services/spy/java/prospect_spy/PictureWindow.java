@@ -26,7 +26,7 @@ final class PictureWindow extends JPanel {
 
   private PictureWindow(ChannelData channel) {
     this.channel = channel;
-    setPreferredSize(new Dimension(384, 384 + CAPTION_HEIGHT));
+    setPreferredSize(new Dimension(320, 320 + CAPTION_HEIGHT));
     setBackground(Color.BLACK);
   }
 
