@@ -35,6 +35,20 @@ std::string Number(const char* format, double value) {
   return text;
 }
 
+// The world's short causes in words: "collision(barrel)", "time", "left_site".
+std::string InWords(const std::string& cause) {
+  const std::string collision = "collision(";
+  if (cause.rfind(collision, 0) == 0)
+    return "it ran into the " + cause.substr(collision.size(), cause.size() - collision.size() - 1);
+  if (cause == "time") return "it ran out of time";
+  if (cause == "left_site") return "it left the site";
+  return cause;
+}
+
+std::string InWords(const ActRecord& act) {
+  return act.name + " " + act.observed + (act.reason.empty() ? "" : ": " + InWords(act.reason));
+}
+
 StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
   StepRecord record;
   record.action = step.action;
@@ -136,8 +150,17 @@ SearchQuestion Episode::MakeQuestion() const {
   parameters.depth = parameters.depth > 0 ? std::min(parameters.depth, remaining) : remaining;
   parameters.refusal_threshold =
       options_.refusal_threshold >= 0 ? options_.refusal_threshold : model_.refusal_threshold;
+  question.samples = parameters.samples;
+  if (!options_.sharing) parameters.samples = SamplesApart();
   SetParameters(parameters, &root);
   return question;
+}
+
+// Workers that search apart do not see each other's rollouts, so each gets its part of the budget.
+std::int64_t Episode::SamplesApart() const {
+  const auto workers =
+      static_cast<std::int64_t>(std::max<std::size_t>(1, talk_.monitor().Alive("worker").size()));
+  return (options_.search.samples + workers - 1) / workers;
 }
 
 // One for each first action that was not chosen: the best future through it, or the one that came
@@ -199,7 +222,7 @@ SearchRecord Episode::SearchOnce() {
   record.threshold = ParameterOr(question.root, "refusal_threshold", 0);
   record.root_value = answer.plan.root_value;
   record.rollouts = answer.rollouts;
-  record.overshoot = std::max<std::int64_t>(0, answer.rollouts - question.root.samples);
+  record.overshoot = std::max<std::int64_t>(0, answer.rollouts - question.samples);
   record.evaluations = answer.evaluations;
   record.requested = answer.requested;
   record.workers = answer.workers;
@@ -256,8 +279,7 @@ bool Episode::Act(int action) {
   spdlog::info("{} {}{}", act.name, act.observed, act.reason.empty() ? "" : ": " + act.reason);
 
   if (status.state != action_status_t::STATE_SUCCEEDED) {
-    Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped",
-            act.name + " " + act.observed + (act.reason.empty() ? "" : ": " + act.reason));
+    Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped", InWords(act));
     return false;
   }
   if (status.outcome == label_t::OUTCOME_SUCCESS ||

@@ -85,11 +85,13 @@ std::vector<TableRow> TableRows(const EpisodeRecord& record) {
     row.observed = record.acts[i].observed;
     rows.push_back(row);
   }
-  // A refusal shows what it refused.
-  if (record.searches.size() > record.acts.size()) {
-    for (const auto& step : record.searches.back().steps) {
-      rows.push_back({static_cast<int>(rows.size()) + 1, step, true, ""});
-    }
+  // What was imagined and not carried out: all that a refusal looked at, or what an untimely end
+  // left of the plan.
+  if (record.searches.empty()) return rows;
+  const auto& last = record.searches.back().steps;
+  const bool refused = record.searches.size() > record.acts.size();
+  for (std::size_t i = refused ? 0 : 1; i < last.size(); ++i) {
+    rows.push_back({static_cast<int>(rows.size()) + 1, last[i], true, ""});
   }
   return rows;
 }
@@ -99,7 +101,7 @@ std::string VerdictSentence(const EpisodeRecord& record) {
   if (record.outcome == "solved") return "Solved: all " + steps + " actions succeeded.";
   if (record.outcome == "refused") return "Refused, nothing was done: " + record.reason;
   if (record.outcome == "stopped") return "Stopped after " + steps + " actions: " + record.reason;
-  return "Failed: " + record.reason + ".";
+  return "Failed: " + record.reason;
 }
 
 std::string PlanTable(const EpisodeRecord& record) {

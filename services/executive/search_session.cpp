@@ -95,7 +95,7 @@ bool SearchSession::Over() {
   const auto& search = shared_->search();
   const std::int64_t now_us = SteadyUs();
   const auto reason = search.stop_reason(now_us);
-  const bool enough = search.total_rollouts() >= search.parameters().samples;
+  const bool enough = search.total_rollouts() >= question_.samples;
   if (enough) {
     ended_by_ = "samples";
   } else if (reason == planner::StopReason::kExhausted ||

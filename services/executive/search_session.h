@@ -19,6 +19,8 @@ struct SearchQuestion {
   search_image_t first{};    ///< the episode's first picture: image_id set
   search_image_t present{};  ///< the present picture; the same image_id as `first` at the start
   std::int64_t budget_ms = -1;
+  std::int64_t samples =
+      1;  ///< rollouts of all workers together; root.samples is what each worker stops at
 };
 
 /// What a search came to.

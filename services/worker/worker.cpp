@@ -56,9 +56,9 @@ void Worker::OnRoot(const search_root_t& root) {
 }
 
 void Worker::Begin(const search_root_t& root, std::int64_t now_ms) {
+  if (phase_ != Phase::kIdle) Conclude();
   if (shared_) rollouts_before_ += shared_->search().rollouts();
   shared_.reset();
-  phase_ = Phase::kIdle;
   try {
     shared_ = std::make_unique<SharedSearch>(root, RulesFromTask(*task_), health_.instance_id(),
                                              static_cast<int>(options_.index), now_ms * 1000);
@@ -139,7 +139,10 @@ void Worker::SendStatistics(std::int64_t now_ms) {
 void Worker::CheckAbandoned(std::int64_t now_ms) {
   if (phase_ == Phase::kSearching && now_ms - root_heard_ms_ > kRootSilenceMs)
     Close("its root fell silent");
-  if (phase_ != Phase::kClosing || now_ms - closing_since_ms_ < kClosingMs) return;
+  if (phase_ == Phase::kClosing && now_ms - closing_since_ms_ >= kClosingMs) Conclude();
+}
+
+void Worker::Conclude() {
   const std::string summary = Summary(shared_->search().BestPlan());
   spdlog::info("search {}: {} rollouts here, {} in all, {} evaluations; {}",
                shared_->root().search_id, shared_->search().rollouts(),
@@ -167,12 +170,11 @@ void Worker::Turn() {
   bus_.Poll(TimeoutMs(SteadyMs()));
   const std::int64_t now_ms = SteadyMs();
   CheckAbandoned(now_ms);
+  // Rows first: the others learn of this worker before it takes its share of the rollouts.
+  if (phase_ != Phase::kIdle && statistics_due_.Due(now_ms)) SendStatistics(now_ms);
   if (phase_ == Phase::kSearching) Advance();
   if (phase_ == Phase::kClosing) AskForMissing(now_ms);
-  if (phase_ != Phase::kIdle) {
-    SendRequests(now_ms);
-    if (statistics_due_.Due(now_ms)) SendStatistics(now_ms);
-  }
+  if (phase_ != Phase::kIdle) SendRequests(now_ms);
   Report();
 }
 

@@ -55,6 +55,7 @@ class Worker {
   void SendRequests(std::int64_t now_ms);
   void SendStatistics(std::int64_t now_ms);
   void CheckAbandoned(std::int64_t now_ms);
+  void Conclude();
   void Report();
   int TimeoutMs(std::int64_t now_ms) const;
 
