@@ -5,22 +5,16 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "model/networks/networks.h"
+#include "model/weights_error.h"
 
 /// Weights files: the safetensors format (8 bytes little-endian header length, a JSON header that names each
 /// tensor's type, shape and place, the data), tensors stored as 16-bit floats. Metadata is one text entry
 /// "prospect", a JSON object: format, task, task_hash, world_version, network (NetworkConfig), train (TrainConfig),
 /// data_hash, code_version, scores, calibration. Functions are thread-safe.
 namespace prospect::model {
-
-/// A weights file that is missing, damaged, or of another task or shape. The message names file and reason.
-class WeightsError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// A weights file in memory: tensors by name (as stored, 16-bit or 32-bit floats, on the CPU).
 struct WeightsFile {

@@ -1,0 +1,190 @@
+#include <torch/torch.h>
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "model/engine.h"
+#include "model/hash.h"
+#include "model/networks/networks.h"
+#include "model/row_pool.h"
+#include "model/weights.h"
+
+namespace prospect::model {
+namespace {
+
+using nlohmann::json;
+
+NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
+  NetworkConfig config;
+  try {
+    file.metadata.at("network").get_to(config);
+  } catch (const std::exception& error) {
+    throw WeightsError(path + ": its network configuration is not understood (" + error.what() + ")");
+  }
+  return config;
+}
+
+EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
+  EngineInfo info;
+  info.engine = "torch";
+  info.task = file.metadata.value("task", "");
+  info.task_hash = file.metadata.value("task_hash", "");
+  info.num_actions = config.num_actions;
+  info.image_width = config.image_width;
+  info.image_height = config.image_height;
+  info.hidden_size = config.hidden_size();
+  const json calibration = file.metadata.value("calibration", json::object());
+  info.refusal_threshold = calibration.value("refusal_threshold", 0.0);
+  return info;
+}
+
+std::vector<float> ToVector(const torch::Tensor& tensor) {
+  const torch::Tensor flat = tensor.contiguous();
+  const float* data = flat.data_ptr<float>();
+  return std::vector<float>(data, data + flat.numel());
+}
+
+/// Networks in 32-bit floats on the CPU; one row at a time, rows spread over threads.
+class TorchEngine : public Engine {
+ public:
+  TorchEngine(const std::string& path, int threads)
+      : TorchEngine(ReadWeights(path), path, threads) {}
+
+  Hidden Encode(const std::uint8_t* rgb) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const c10::InferenceMode inference;
+    return ToVector(networks_.encoder->forward(Picture(rgb)));
+  }
+
+  Prediction Evaluate(const float* h0, const float* h, int previous_action) override {
+    RequireAction(previous_action, info_.num_actions);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const c10::InferenceMode inference;
+    return Judge(State(h0), State(h), previous_action, /*imagined=*/false);
+  }
+
+  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override {
+    for (const ExpandInput& row : rows) RequireAction(row.action, info_.num_actions - 1);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<Prediction> answers(rows.size());
+    pool_.Run(rows.size(), [&](std::size_t i) {
+      const c10::InferenceMode inference;
+      answers[i] = Imagine(rows[i]);
+    });
+    return answers;
+  }
+
+  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override {
+    for (const Hidden& state : states) {
+      if (state.size() != static_cast<std::size_t>(info_.hidden_size)) {
+        throw std::invalid_argument("Decode: a hidden state has the wrong size");
+      }
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<std::vector<std::uint8_t>> pictures(states.size());
+    pool_.Run(states.size(), [&](std::size_t i) {
+      const c10::InferenceMode inference;
+      const torch::Tensor x = networks_.decoder->forward(State(states[i].data()));
+      const torch::Tensor bytes =
+          x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
+      pictures[i].assign(bytes.data_ptr<std::uint8_t>(), bytes.data_ptr<std::uint8_t>() + bytes.numel());
+    });
+    return pictures;
+  }
+
+  std::vector<float> Classify(const std::uint8_t* rgb) override {
+    if (!has_classifier_) return {};
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const c10::InferenceMode inference;
+    return ToVector(torch::softmax(networks_.classifier->forward(Picture(rgb)), 1));
+  }
+
+  const EngineInfo& info() const override { return info_; }
+  std::uint64_t weights_hash() const override { return weights_hash_; }
+  std::uint64_t fingerprint() const override { return fingerprint_; }
+
+ private:
+  TorchEngine(const WeightsFile& file, const std::string& path, int threads)
+      : networks_(ConfigOf(file, path)),
+        info_(InfoOf(file, networks_.config)),
+        weights_hash_(file.hash),
+        pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {
+    at::set_num_threads(1);  // rows are the parallelism
+    for (const auto& [prefix, module] : networks_.named()) {
+      const bool optional = prefix == "classifier" || prefix == "second_classifier";
+      if (!optional || HasModule(file, prefix)) LoadModule(file, path, prefix, module);
+      if (prefix == "classifier") has_classifier_ = HasModule(file, prefix);
+    }
+    networks_.SetTraining(false);
+    fingerprint_ = Probe();
+  }
+
+  static void RequireAction(int action, int last) {
+    if (action < 0 || action > last) throw std::invalid_argument("action out of range");
+  }
+
+  torch::Tensor Picture(const std::uint8_t* rgb) const {
+    const torch::Tensor raw =
+        torch::from_blob(const_cast<std::uint8_t*>(rgb), {1, info_.image_height, info_.image_width, 3},
+                         torch::kUInt8);
+    return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F);
+  }
+
+  torch::Tensor State(const float* h) const {
+    const NetworkConfig& c = networks_.config;
+    return torch::from_blob(const_cast<float*>(h),
+                            {1, c.hidden_channels, c.hidden_height(), c.hidden_width()});
+  }
+
+  Prediction Imagine(const ExpandInput& row) {
+    const torch::Tensor h0 = State(row.h0);
+    const torch::Tensor action = torch::full({1}, row.action, torch::kLong);
+    const torch::Tensor h = networks_.transform->forward(h0, State(row.h), action);
+    Prediction answer = Judge(h0, h, row.action, /*imagined=*/true);
+    answer.h = ToVector(h);
+    return answer;
+  }
+
+  Prediction Judge(const torch::Tensor& h0, const torch::Tensor& h, int action, bool imagined) {
+    const torch::Tensor a = torch::full({1}, action, torch::kLong);
+    Prediction answer;
+    answer.value = torch::sigmoid(networks_.value->forward(h)).item<float>();
+    answer.done =
+        imagined ? torch::sigmoid(networks_.f->forward(h0, h, a)).item<float>() : 1.0F;
+    answer.q = ToVector(torch::sigmoid(networks_.q->forward(h0, h, a)));
+    answer.p = ToVector(torch::sigmoid(networks_.p->forward(h0, h, a)));
+    return answer;
+  }
+
+  /// The fixed question of fingerprint(): a gradient picture, the first action.
+  std::uint64_t Probe() {
+    std::vector<std::uint8_t> picture(static_cast<std::size_t>(networks_.config.image_bytes()));
+    for (std::size_t i = 0; i < picture.size(); ++i) picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
+    const Hidden h0 = Encode(picture.data());
+    const Prediction answer = Expand({{h0.data(), h0.data(), 0}}).front();
+    std::uint64_t hash = HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
+    hash = HashBytes(&answer.value, sizeof(float), hash);
+    hash = HashBytes(&answer.done, sizeof(float), hash);
+    hash = HashBytes(answer.q.data(), answer.q.size() * sizeof(float), hash);
+    return HashBytes(answer.p.data(), answer.p.size() * sizeof(float), hash);
+  }
+
+  Networks networks_;
+  EngineInfo info_;
+  std::uint64_t weights_hash_ = 0;
+  std::uint64_t fingerprint_ = 0;
+  bool has_classifier_ = false;
+  std::mutex mutex_;  // one question at a time; the pool spreads its rows
+  RowPool pool_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads) {
+  return std::make_unique<TorchEngine>(path, threads);
+}
+
+}  // namespace prospect::model
