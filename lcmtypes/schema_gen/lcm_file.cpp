@@ -1,17 +1,42 @@
 #include "lcmtypes/schema_gen/lcm_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <regex>
 #include <stdexcept>
 
 namespace prospect::schema_gen {
 namespace {
 
-const std::regex kPackage(R"(package\s+(\w+)\s*;)");
-const std::regex kStruct(R"(struct\s+(\w+)\s*\{?)");
-const std::regex kConstant(R"(const\s+(\w+)\s+(\w+)\s*=\s*(-?\d+)\s*;)");
-const std::regex kField(R"((\w+)\s+(\w+)\s*(?:\[\s*(\w+)\s*\])?\s*;)");
+using Tokens = std::vector<std::string>;
+
+bool IsWordLetter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+}
+
+// Words (names and numbers) and single signs.
+Tokens Split(const std::string& code) {
+  Tokens tokens;
+  bool in_word = false;
+  for (const char c : code) {
+    if (!IsWordLetter(c) || !in_word) tokens.emplace_back();
+    tokens.back() += c;
+    in_word = IsWordLetter(c);
+    if (std::isspace(static_cast<unsigned char>(c))) tokens.pop_back();
+  }
+  return tokens;
+}
+
+bool IsWord(const std::string& token) { return IsWordLetter(token[0]); }
+
+// Whether `tokens` read as `pattern`, where "*" stands for any word.
+bool Reads(const Tokens& tokens, const Tokens& pattern) {
+  if (tokens.size() != pattern.size()) return false;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (pattern[i] == "*" ? !IsWord(tokens[i]) : tokens[i] != pattern[i]) return false;
+  }
+  return true;
+}
 
 std::string Trim(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -54,31 +79,31 @@ class Parser {
   void TakeComment(const std::string& comment) { Append(*open_comment_, comment); }
 
   void TakeCode(const std::string& code, const std::string& comment) {
-    std::smatch match;
-    if (code == "{") return;
-    if (code == "}" || code == "};") {
+    const Tokens tokens = Split(code);
+    if (Reads(tokens, {"{"})) return;
+    if (Reads(tokens, {"}"}) || Reads(tokens, {"}", ";"})) {
       closed_ = true;
-    } else if (std::regex_match(code, match, kPackage)) {
-      if (match[1] != "prospect") Fail("the package must be prospect");
-    } else if (std::regex_match(code, match, kStruct)) {
+    } else if (Reads(tokens, {"package", "*", ";"})) {
+      if (tokens[1] != "prospect") Fail("the package must be prospect");
+    } else if (Reads(tokens, {"struct", "*"}) || Reads(tokens, {"struct", "*", "{"})) {
       if (!result_.name.empty()) Fail("one struct a file");
-      result_.name = match[1];
-    } else if (std::regex_match(code, match, kConstant)) {
-      TakeConstant(match, comment);
-    } else if (std::regex_match(code, match, kField)) {
-      TakeField(match, comment);
+      result_.name = tokens[1];
+    } else if (Reads(tokens, {"const", "*", "*", "=", "*", ";"})) {
+      TakeConstant(tokens, comment);
+    } else if (Reads(tokens, {"*", "*", ";"}) || Reads(tokens, {"*", "*", "[", "*", "]", ";"})) {
+      TakeField(tokens, comment);
     } else {
       Fail("not understood: " + code);
     }
   }
 
-  void TakeConstant(const std::smatch& match, const std::string& comment) {
-    result_.constants.push_back({match[1], match[2], match[3], comment, result_.fields.size()});
+  void TakeConstant(const Tokens& tokens, const std::string& comment) {
+    result_.constants.push_back({tokens[1], tokens[2], tokens[4], comment});
     open_comment_ = &result_.constants.back().comment;
   }
 
-  void TakeField(const std::smatch& match, const std::string& comment) {
-    const Field field{match[1], match[2], match[3], comment};
+  void TakeField(const Tokens& tokens, const std::string& comment) {
+    const Field field{tokens[0], tokens[1], tokens.size() > 3 ? tokens[3] : "", comment};
     if (!field.count.empty()) RequireCount(field.count);
     result_.fields.push_back(field);
     open_comment_ = &result_.fields.back().comment;

@@ -20,7 +20,6 @@ struct Constant {
   std::string name;
   std::string value;
   std::string comment;
-  std::size_t before_field;  ///< index of the field that follows it in the file
 };
 
 struct Struct {
