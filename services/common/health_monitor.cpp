@@ -11,6 +11,15 @@ bool IsFresh(const HealthMonitor::Peer& peer, std::int64_t now_ms) {
          now_ms - peer.heard_ms < HealthMonitor::kDeadMs;
 }
 
+ExitError InUse(const HealthMonitor::Peer& foreign, const std::string& url) {
+  const health_t& health = foreign.health;
+  return ExitError(
+      kExitBusInUse,
+      "the bus " + url + " is in use by another deployment (" + health.service + ", pid " +
+          std::to_string(health.pid) + " on " + health.host +
+          "): stop it, or use another port, such as --bus udpm://239.255.76.67:7668?ttl=0");
+}
+
 }  // namespace
 
 HealthMonitor::HealthMonitor(Bus& bus) : bus_(bus) {
@@ -60,15 +69,11 @@ std::optional<HealthMonitor::Peer> HealthMonitor::Foreign() const {
 
 void HealthMonitor::RequireOwnBus(std::int64_t listen_ms) {
   const std::int64_t end_ms = SteadyMs() + listen_ms;
-  for (std::int64_t now_ms = SteadyMs(); now_ms < end_ms; now_ms = SteadyMs()) {
-    bus_.Poll(static_cast<int>(end_ms - now_ms));
-    const std::optional<Peer> foreign = Foreign();
-    if (!foreign) continue;
-    throw ExitError(
-        kExitBusInUse,
-        "the bus " + bus_.url() + " is in use by another deployment (" + foreign->health.service +
-            ", pid " + std::to_string(foreign->health.pid) + " on " + foreign->health.host +
-            "): stop it, or use another port, such as --bus udpm://239.255.76.67:7668?ttl=0");
+  while (true) {
+    if (const std::optional<Peer> foreign = Foreign()) throw InUse(*foreign, bus_.url());
+    const std::int64_t left_ms = end_ms - SteadyMs();
+    if (left_ms <= 0) return;
+    bus_.Poll(static_cast<int>(left_ms));
   }
 }
 

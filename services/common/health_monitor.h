@@ -40,8 +40,8 @@ class HealthMonitor {
   /// deployment id (0).
   std::optional<Peer> Foreign() const;
 
-  /// Polls the bus for `listen_ms` and throws when another deployment lives there. To be called
-  /// once, before a service says READY.
+  /// Polls the bus for `listen_ms` (0: judges by what was heard before, without polling) and
+  /// throws when another deployment lives there. To be called once, before a service says READY.
   /// @throws ExitError (kExitBusInUse) that names the foreign process and what to do
   void RequireOwnBus(std::int64_t listen_ms = 1200);
 

@@ -11,6 +11,7 @@
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/spy/bus_survey.h"
+#include "services/spy/service_wait.h"
 
 namespace prospect::services {
 namespace {
@@ -19,6 +20,12 @@ struct CheckOptions {
   CommonOptions common;
   double seconds = 5;
   std::string json;
+};
+
+struct WaitOptions {
+  CommonOptions common;
+  std::string services;
+  double seconds = 20;
 };
 
 // Listens until the time is over or a signal comes. Returns the seconds listened.
@@ -44,10 +51,16 @@ int Check(const CheckOptions& options) {
   return kExitSuccess;
 }
 
-int Run(int argc, char** argv) {
-  CLI::App app("Looks at the bus.");
-  app.require_subcommand(1);
-  CheckOptions options;
+int Wait(const WaitOptions& options) {
+  ApplyCommonOptions(options.common, "bus");
+  const ServiceCounts wanted = ParseServices(options.services);
+  Bus bus(options.common.bus);
+  HealthMonitor monitor(bus);
+  WaitForServices(bus, monitor, wanted, options.seconds);
+  return kExitSuccess;
+}
+
+CLI::App* AddCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check =
       app.add_subcommand("check", "list channels, types, rates and what could not be decoded");
   AddCommonOptions(*check, options.common);
@@ -55,12 +68,32 @@ int Run(int argc, char** argv) {
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
   check->add_option("--json", options.json, "also write the table to this file");
+  return check;
+}
+
+void AddWait(CLI::App& app, WaitOptions& options) {
+  CLI::App* wait = app.add_subcommand("wait", "return when services are there and ready");
+  AddCommonOptions(*wait, options.common);
+  wait->add_option("--services", options.services, "such as simulator=1,model=1,worker=2")
+      ->required();
+  wait->add_option("--seconds", options.seconds, "how long to wait at most")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Looks at the bus.");
+  app.require_subcommand(1);
+  CheckOptions check_options;
+  WaitOptions wait_options;
+  const CLI::App* check = AddCheck(app, check_options);
+  AddWait(app, wait_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
-  return Check(options);
+  return check->parsed() ? Check(check_options) : Wait(wait_options);
 }
 
 }  // namespace

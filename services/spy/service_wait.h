@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "services/common/health_monitor.h"
+
+namespace prospect::services {
+
+/// How many of each service are wanted, or missing, by name: {"worker": 2}.
+using ServiceCounts = std::map<std::string, int>;
+
+/// Reads "simulator=1,model=1,worker=2"; a name alone means one.
+/// @throws ExitError (kExitUsage) for anything else
+ServiceCounts ParseServices(const std::string& text);
+
+/// What of `wanted` is not there yet: alive, of this deployment, and in STATE_READY or STATE_BUSY.
+ServiceCounts MissingServices(const ServiceCounts& wanted, const HealthMonitor& monitor);
+
+/// "1 model, 2 worker", and the notes of live services that report a fault; for a message.
+std::string DescribeMissing(const ServiceCounts& missing, const HealthMonitor& monitor);
+
+/// Polls the bus until all are there. @throws ExitError: kExitTimeout naming what is missing after
+/// `seconds`, kExitBusInUse when another deployment is heard, kExitInterrupted on a signal
+void WaitForServices(Bus& bus, HealthMonitor& monitor, const ServiceCounts& wanted, double seconds);
+
+}  // namespace prospect::services
