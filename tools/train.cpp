@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "model/dataset.h"
+#include "model/training/export.h"
+#include "model/training/scores.h"
 #include "model/training/trainer.h"
 #include "model/weights.h"
 
@@ -60,6 +62,19 @@ model::TrainConfig ConfigOf(const Arguments& a) {
   return config;
 }
 
+void Finish(const Arguments& a, const model::Trainer& trainer) {
+  model::RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores =
+      model::ComputeScores(trainer.context(), trainer.file(), a.options.threads);
+  const std::string weights = model::ExportWeights(trainer, scores);
+  model::PrintScores(scores);
+  std::printf("weights: %s\n", weights.c_str());
+  if (a.json_file.empty()) return;
+  std::ofstream out(a.json_file);
+  out << scores.dump(2) << '\n';
+  if (!out.flush()) throw std::runtime_error(a.json_file + ": cannot be written");
+}
+
 int Run(Arguments a) {
   const model::TrainConfig config = ConfigOf(a);
   if (a.print_config) {
@@ -72,6 +87,8 @@ int Run(Arguments a) {
   a.options.stages.insert(a.stages.begin(), a.stages.end());
   model::Trainer trainer(config, a.options);
   trainer.Run();
+  if (!a.options.stages.empty()) return 0;  // part of the networks: nothing to score yet
+  Finish(a, trainer);
   return 0;
 }
 

@@ -1,0 +1,49 @@
+#include "model/training/export.h"
+
+#include "model/weights.h"
+
+#ifndef PROSPECT_VERSION
+#error "the build defines PROSPECT_VERSION"
+#endif
+
+namespace prospect::model {
+namespace {
+
+using nlohmann::json;
+
+json MetadataOf(const Trainer& trainer, const json& scores) {
+  const TrainContext& context = trainer.context();
+  return {{"format", "prospect-weights-1"},
+          {"task", context.samples.task},
+          {"task_hash", context.samples.task_hash},
+          {"world_version", context.samples.world_version},
+          {"num_actions", context.samples.num_actions},
+          {"trials", context.samples.trials.size()},
+          {"network", context.config.network},
+          {"train", context.config},
+          {"data_hash", trainer.data_hash()},
+          {"code_version", PROSPECT_VERSION},
+          {"scores", scores},
+          {"calibration", {{"refusal_threshold", scores["plan"]["threshold"]}}}};
+}
+
+bool IsClassifier(const std::string& name) {
+  return name == "classifier" || name == "second_classifier";
+}
+
+}  // namespace
+
+std::string ExportWeights(const Trainer& trainer, const json& scores) {
+  const TrainContext& context = trainer.context();
+  std::map<std::string, torch::Tensor> planning, classifiers;
+  for (const auto& [name, module] : context.networks.named()) {
+    CollectTensors(name, *module, IsClassifier(name) ? &classifiers : &planning);
+  }
+  const json metadata = MetadataOf(trainer, scores);
+  const std::string base = trainer.options().folder + "/" + context.samples.task;
+  WriteWeights(base + "-classifiers.safetensors", classifiers, metadata);
+  WriteWeights(base + ".safetensors", planning, metadata);
+  return base + ".safetensors";
+}
+
+}  // namespace prospect::model

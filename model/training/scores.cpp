@@ -1,0 +1,117 @@
+#include "model/training/scores.h"
+
+#include <cstdio>
+
+#include "model/training/head_scores.h"
+#include "model/training/picture_scores.h"
+
+namespace prospect::model {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostTrials = 1000;  // a part's trials that are scored, evenly spread
+constexpr std::size_t kMostChains = 800;   // chains whose pictures are decoded
+
+json Summary(const Judgements& valid, const Judgements& test) {
+  const double base = BaseRate(test);
+  const double threshold = BestThreshold(valid);
+  return {{"balanced_accuracy", BalancedAccuracy(test, threshold)},
+          {"threshold", threshold},
+          {"accuracy", Accuracy(test)},
+          {"base_rate", base},
+          {"brier", BrierScore(test)},
+          {"trivial_brier", base * (1 - base)},
+          {"samples", test.size()}};
+}
+
+json HeadScores(const HeadJudgements& valid, const HeadJudgements& test) {
+  json scores;
+  scores["value"] = {{"real", Summary(valid.value_real, test.value_real)},
+                     {"after_two", Summary(valid.value_after_two, test.value_after_two)},
+                     {"imagined", Summary(valid.value_imagined, test.value_imagined)}};
+  scores["f"] = {{"real", Summary(valid.done_real, test.done_real)},
+                 {"imagined", Summary(valid.done_imagined, test.done_imagined)}};
+  for (std::size_t k = 0; k < test.done_at_depth.size() && k < valid.done_at_depth.size(); ++k) {
+    scores["f"]["depth" + std::to_string(k + 1)] =
+        Summary(valid.done_at_depth[k], test.done_at_depth[k]);
+  }
+  scores["p"] = {{"real", Summary(valid.p_real, test.p_real)},
+                 {"imagined", Summary(valid.p_imagined, test.p_imagined)}};
+  scores["q"] = {{"real", Summary(valid.q_real, test.q_real)},
+                 {"imagined", Summary(valid.q_imagined, test.q_imagined)}};
+  scores["plan"] = Summary(valid.plan, test.plan);
+  return scores;
+}
+
+void PrintPictures(const json& scores) {
+  std::printf("%-28s %10s %10s %14s %12s\n", "pictures, mean abs. error", "T", "copying x",
+              "enc-dec(goal)", "noise floor");
+  for (const char* step : {"x1", "x2"}) {
+    const json& s = scores["pictures"][step];
+    for (const char* kind : {"mae", "mae_changed", "mae_clean", "mae_changed_clean"}) {
+      const double floor = std::string(kind) == "mae" ? s["noise_floor"].get<double>() : 0.0;
+      std::printf("  %s %-23s %10.4f %10.4f %14.4f %12.4f\n", step, kind, s[kind].get<double>(),
+                  s[std::string("copy_") + kind].get<double>(),
+                  s[std::string("reconstruction_") + kind].get<double>(), floor);
+    }
+  }
+}
+
+void PrintLabels(const json& scores) {
+  std::printf("%-28s %10s %10s %14s %12s %10s\n", "label accuracy", "2nd class.", "C",
+              "2nd on real", "C on real", "majority");
+  for (const char* step : {"x1", "x2"}) {
+    const json& s = scores["labels"][step];
+    std::printf("  %-26s %10.3f %10.3f %14.3f %12.3f %10.3f\n", step, s["second"].get<double>(),
+                s["first"].get<double>(), s["real_second"].get<double>(),
+                s["real_first"].get<double>(), s["majority"].get<double>());
+  }
+}
+
+void PrintHead(const std::string& name, const json& s) {
+  std::printf("  %-26s %10.3f %10.3f %14.4f %12.4f %10.3f\n", name.c_str(),
+              s["balanced_accuracy"].get<double>(), 0.5, s["brier"].get<double>(),
+              s["trivial_brier"].get<double>(), s["base_rate"].get<double>());
+}
+
+void PrintHeads(const json& scores) {
+  std::printf("%-28s %10s %10s %14s %12s %10s\n", "V, f, p, Q", "bal. acc.", "trivial", "Brier",
+              "trivial", "base rate");
+  for (const char* head : {"value", "f", "p", "q"}) {
+    for (const auto& item : scores[head].items()) {
+      PrintHead(std::string(head) + " " + item.key(), item.value());
+    }
+  }
+  PrintHead("plan (V x f along it)", scores["plan"]);
+}
+
+}  // namespace
+
+json ComputeScores(const TrainContext& context, const TrialFile& file, int threads) {
+  context.networks.SetTraining(false);
+  const ScoredSplit valid(context, Split::kValid, kMostTrials, threads);
+  const ScoredSplit test(context, Split::kTest, kMostTrials, threads);
+  json scores = HeadScores(JudgeHeads(valid, threads), JudgeHeads(test, threads));
+  scores.update(ScorePictures(test, file, kMostChains, threads));
+  scores["trials"] = test.trials().size();
+  return scores;
+}
+
+void PrintScores(const json& scores) {
+  std::printf("Held-out scores (%zu test trials)\n", scores["trials"].get<std::size_t>());
+  PrintPictures(scores);
+  PrintLabels(scores);
+  PrintHeads(scores);
+}
+
+void RoundToHalf(const Networks& networks) {
+  const torch::NoGradGuard no_grad;
+  for (const auto& [name, module] : networks.named()) {
+    for (torch::Tensor& tensor : module->parameters()) {
+      tensor.copy_(tensor.to(torch::kHalf).to(torch::kFloat));
+    }
+  }
+}
+
+}  // namespace prospect::model
