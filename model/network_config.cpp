@@ -17,10 +17,10 @@ bool IsShare(double value) { return value >= 0.0 && value < 1.0; }
 }  // namespace
 
 void Validate(const NetworkConfig& c) {
-  Require(c.image_width >= 16 && c.image_width <= 1024 && c.image_width % 16 == 0,
-          "image_width: must be a multiple of 16 up to 1024");
-  Require(c.image_height >= 16 && c.image_height <= 1024 && c.image_height % 16 == 0,
-          "image_height: must be a multiple of 16 up to 1024");
+  Require(c.image_width >= 32 && c.image_width <= 1024 && c.image_width % 16 == 0,
+          "image_width: must be a multiple of 16 from 32 to 1024");
+  Require(c.image_height >= 32 && c.image_height <= 1024 && c.image_height % 16 == 0,
+          "image_height: must be a multiple of 16 from 32 to 1024");
   Require(c.hidden_channels >= 1 && c.hidden_channels <= 256, "hidden_channels: must be 1 to 256");
   Require(c.num_actions >= 1 && c.num_actions <= 254, "num_actions: must be 1 to 254");
   Require(IsShare(c.dropout) && IsShare(c.head_dropout), "dropout: must be at least 0, below 1");

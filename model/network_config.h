@@ -9,8 +9,8 @@ namespace prospect::model {
 /// weights. The defaults are the paper's text (§III-A, III-B); where the text is silent, the authors' code.
 /// A plain value.
 struct NetworkConfig {
-  int image_width = 64;     ///< pixels, a multiple of 16
-  int image_height = 64;    ///< pixels, a multiple of 16
+  int image_width = 64;     ///< pixels, a multiple of 16, at least 32
+  int image_height = 64;    ///< pixels, a multiple of 16, at least 32
   int hidden_channels = 8;  ///< channels of h; its grid is the image's divided by 8
   int num_actions = 7;      ///< size of the action table; the null action is index num_actions
   double dropout = 0.1;     ///< after blocks of encoder, decoder, transform (paper), and in C's convolutions

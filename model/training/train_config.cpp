@@ -27,7 +27,6 @@ TrainConfig Navigation() {
   // The site is seen from straight above, and nothing in it prefers a direction.
   c.augment = "dihedral";
   c.hidden_variants = 2;
-  c.mids_per_segment = 1;
   c.focus = 8.0;
   c.classifier = {700, 16, 1e-3};
   c.encoder_decoder = {4500, 16, 1.5e-3};
