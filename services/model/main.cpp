@@ -18,6 +18,8 @@ namespace {
 
 using namespace prospect::services;
 
+constexpr char kScripted[] = "scripted";
+
 struct Options {
   CommonOptions common;
   ModelServerOptions server;
@@ -46,8 +48,22 @@ void AddOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+// "scripted" offers the first four actions of the table; "scripted:N" the first N.
+std::unique_ptr<prospect::model::Engine> MakeScripted(const std::string& weights) {
+  prospect::model::ScriptedOptions options;
+  if (weights != kScripted) {
+    try {
+      options.offered_actions = std::stoi(weights.substr(sizeof kScripted));
+    } catch (const std::exception&) {
+      throw ExitError(kExitUsage, "--weights " + weights +
+                                      ": say scripted, or scripted:N with N actions offered");
+    }
+  }
+  return std::make_unique<prospect::model::ScriptedEngine>(options);
+}
+
 std::unique_ptr<prospect::model::Engine> LoadEngine(const Options& options) {
-  if (options.weights == "scripted") return std::make_unique<prospect::model::ScriptedEngine>();
+  if (options.weights.rfind(kScripted, 0) == 0) return MakeScripted(options.weights);
   try {
     return prospect::model::LoadTorchEngine(options.weights, options.threads);
   } catch (const std::exception& error) {

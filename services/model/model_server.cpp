@@ -64,7 +64,7 @@ bool ModelServer::Suits(const search_root_t& root) const {
       root.weights_hash != static_cast<std::int64_t>(engine_.weights_hash()))
     return false;
   if (!task_ || task_->task_hash != root.task_hash) return false;
-  return task_->num_actions == info.num_actions;
+  return task_->name == info.task && task_->num_actions == info.num_actions;
 }
 
 void ModelServer::OnRoot(const search_root_t& root) {

@@ -14,7 +14,7 @@ Process& Deployment::Simulator(const std::vector<std::string>& more) {
 }
 
 Process& Deployment::ModelServer(const std::vector<std::string>& more) {
-  return Start("prospect-model-server", {"--weights", "scripted"}, more);
+  return Start("prospect-model-server", {"--weights", "scripted:7"}, more);
 }
 
 Process& Deployment::Worker() { return Start("prospect-worker", {}, {}); }
