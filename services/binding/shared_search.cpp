@@ -9,15 +9,17 @@
 namespace prospect::services {
 
 SharedSearch::SharedSearch(const search_root_t& root, const planner::TaskRules& rules,
-                           std::int64_t writer, int worker_index, std::int64_t now_us)
+                           std::int64_t writer, int worker_index, std::int64_t now_us,
+                           int listed_futures)
     : root_(root) {
   planner::SearchIdentity identity;
   identity.search = SearchIdFrom(root);
   identity.writer = static_cast<std::uint64_t>(writer);
   identity.worker_index = worker_index;
   identity.lease_us = kLeaseMs * 1000;
-  search_ = std::make_unique<planner::Search>(rules, ParametersFrom(root, now_us),
-                                              ExecutedFrom(root), identity);
+  auto parameters = ParametersFrom(root, now_us);
+  parameters.listed_futures = listed_futures;
+  search_ = std::make_unique<planner::Search>(rules, parameters, ExecutedFrom(root), identity);
 }
 
 void SharedSearch::Hear(const expand_reply_t& reply, const RequestWindow* only_awaited) {

@@ -20,7 +20,7 @@ class SharedSearch {
   /// differently in each worker Throws std::invalid_argument when rules or parameters are out of
   /// range.
   SharedSearch(const search_root_t& root, const planner::TaskRules& rules, std::int64_t writer,
-               int worker_index, std::int64_t now_us);
+               int worker_index, std::int64_t now_us, int listed_futures = 16);
 
   /// Stores the evaluations, whoever asked for them. With `only_awaited` set, and sharing off, only
   /// what that window awaits: tell the window of the reply afterwards.

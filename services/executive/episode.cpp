@@ -67,7 +67,7 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
   const planner::PlanStep last = future.steps.empty() ? planner::PlanStep{} : future.steps.back();
   switch (future.rejection) {
     case planner::Rejection::kNotPermitted:
-      return "ruled out: nothing there to do it with (p " + Number("%.3f", last.prior) + ")";
+      return "ruled out from the start (p " + Number("%.3f", last.prior) + ")";
     case planner::Rejection::kNotDone:
       return "would not finish (f " + Number("%.2f", last.done) + ")";
     case planner::Rejection::kLowValue:
@@ -185,7 +185,13 @@ void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
     wanted.emplace_back(plan.best.path.begin(),
                         plan.best.path.begin() + static_cast<std::ptrdiff_t>(n));
   }
-  for (const auto& future : others) wanted.push_back({future.path.front()});
+  // An action that p rules out was never imagined, so there is nothing to show.
+  const auto imagined = [](const planner::Future& future) {
+    return future.path.size() > 1 || future.rejection != planner::Rejection::kNotPermitted;
+  };
+  for (const auto& future : others) {
+    if (imagined(future)) wanted.push_back({future.path.front()});
+  }
   auto pictures = predictions_.Fetch(session_.root(), wanted);
 
   planner::Path prefix;
@@ -201,6 +207,7 @@ void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
     other.value = future.steps.back().value;
     other.done = future.steps.back().done;
     other.visits = future.visits;
+    other.rejected = future.rejection != planner::Rejection::kNone;
     other.why = WhyNot(future, plan.best.score);
     other.imagined = pictures[{future.path.front()}];
     record->others.push_back(other);

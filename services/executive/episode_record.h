@@ -31,6 +31,8 @@ struct FutureRecord {
   double value = 0;
   double done = 0;
   std::int64_t visits = 0;
+  bool rejected =
+      false;         // given up; false: it could have been carried out, but another one was better
   std::string why;   // one short sentence
   Picture imagined;  // after its first action
 };

@@ -86,7 +86,7 @@ Column StepColumn(const TableRow& row, const EpisodeRecord& record) {
   column.title = std::to_string(row.step) + ". " + row.imagined.name;
   if (const StepRecord* far = FarStep(record, row.step)) {
     column.far = far->imagined;
-    if (far->name != row.imagined.name) column.far_name = "then: " + far->name;
+    if (far->name != row.imagined.name) column.far_name = "planned then: " + far->name;
   }
   const auto index = static_cast<std::size_t>(row.step) - 1;
   // One step ahead only where a search began with this very step.
@@ -120,31 +120,55 @@ int DrawHeader(Canvas& canvas, const EpisodeRecord& record) {
   const auto& search = record.searches.front();
   std::string words = search.act ? "Before setting out, the plan's chance of success was put at "
                                  : "The best that could be imagined has a chance of success of ";
-  words += Number("%.0f %%", 100 * search.score) + " (plans below" +
-           Number(" %.0f %%", 100 * search.threshold) + " are refused), from " +
-           std::to_string(search.rollouts) + " imagined courses of action over " +
+  words += Number("%.0f %%", 100 * search.score);
+  if (search.threshold > 0)
+    words += Number(" (plans below %.0f %% are refused)", 100 * search.threshold);
+  words += ", from " + std::to_string(search.rollouts) + " imagined courses of action over " +
            std::to_string(search.evaluations) + " imagined states.";
   return canvas.Paragraph(kMargin, y, width, words, kBody) + 10;
 }
 
-// One row of pictures; nothing at all when no column has one.
+// One row of pictures.
+struct Row {
+  Picture Column::*which;
+  const char* label;
+  const char* note;
+  const char* story;  // told in the first column where it has no picture
+  cv::Scalar color;
+};
+
+const Row kRows[] = {
+    {&Column::far, "Imagined", "before setting out",
+     "From this one picture the networks imagined what each action would do, one after the other, "
+     "and chose the sequence most likely to succeed.",
+     kImagined},
+    {&Column::near, "Imagined again", "just before the action",
+     "After each action the robot looked again and searched anew from what it saw.", kImagined},
+    {&Column::observed, "What happened", "camera at the end of the action", "", kInk},
+};
+
+void DrawCell(Canvas& canvas, const Row& row, const Column& column, int x, int y, int side) {
+  if (!(column.*row.which).empty()) canvas.Image(x, y, side, column.*row.which, row.color);
+  if (row.which == &Column::far) canvas.Text(x, y + side + 3, column.far_name, kSmall);
+}
+
+// Draws nothing when no column has a picture.
 int DrawRow(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns,
-            Picture Column::*which, const std::string& label, const std::string& note,
-            const cv::Scalar& color, int y) {
-  const bool any = std::any_of(columns.begin(), columns.end(),
-                               [&](const Column& c) { return !(c.*which).empty(); });
-  if (!any) return y;
-  const int below = canvas.Paragraph(kMargin, y, kLabelWidth - 14, label, {0.5, color, false});
-  canvas.Paragraph(kMargin, below + 4, kLabelWidth - 14, note, kSmall);
+            const Row& row, int y) {
+  const auto shown = [&](const Column& column) { return !(column.*row.which).empty(); };
+  if (std::none_of(columns.begin(), columns.end(), shown)) return y;
+  const int below =
+      canvas.Paragraph(kMargin, y, kLabelWidth - 14, row.label, {0.5, row.color, false});
+  canvas.Paragraph(kMargin, below + 4, kLabelWidth - 14, row.note, kSmall);
+  if (!shown(columns.front()))
+    canvas.Paragraph(layout.Left(0), y, layout.side - 10, row.story, kSmall);
+  bool named = false;
   for (int i = 0; i < layout.columns; ++i) {
     const auto& column = columns[static_cast<std::size_t>(i)];
-    if (!(column.*which).empty())
-      canvas.Image(layout.Left(i), y, layout.side, column.*which, color);
-    if (which == &Column::far && !column.far_name.empty()) {
-      canvas.Text(layout.Left(i), y + layout.side + 3, column.far_name, kSmall);
-    }
+    DrawCell(canvas, row, column, layout.Left(i), y, layout.side);
+    named = named || (row.which == &Column::far && !column.far_name.empty());
   }
-  return y + layout.side + (which == &Column::far ? 26 : kGap);
+  return y + layout.side + kGap + (named ? 12 : 0);
 }
 
 int DrawTitles(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns, int y) {
@@ -174,12 +198,7 @@ int DrawSteps(Canvas& canvas, const Layout& layout, const EpisodeRecord& record,
   const auto columns = Columns(record);
   canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
   y = DrawTitles(canvas, layout, columns, y + 12);
-  y = DrawRow(canvas, layout, columns, &Column::far, "Imagined", "before setting out", kImagined,
-              y);
-  y = DrawRow(canvas, layout, columns, &Column::near, "Imagined again",
-              "just before the action, from the latest picture", kImagined, y);
-  y = DrawRow(canvas, layout, columns, &Column::observed, "What happened",
-              "camera at the end of the action", kInk, y);
+  for (const Row& row : kRows) y = DrawRow(canvas, layout, columns, row, y);
   return DrawFigures(canvas, layout, columns, y);
 }
 
@@ -189,30 +208,44 @@ std::string Chain(const std::vector<std::string>& names) {
   return chain;
 }
 
+int DrawOther(Canvas& canvas, const FutureRecord& other, int x, int y, int side, int width) {
+  canvas.Image(x, y + 2, side, other.imagined, other.rejected ? kBad : kRule);
+  const int below =
+      canvas.Paragraph(x, y + side + 10, width, Chain(other.names), {0.42, kInk, false});
+  return canvas.Paragraph(x, below, width, other.why,
+                          {0.42, other.rejected ? kBad : kFaint, false});
+}
+
+// Actions ruled out from the start were never imagined: one line names them.
+int DrawRuledOut(Canvas& canvas, const std::vector<FutureRecord>& others, int y) {
+  std::string names;
+  for (const auto& other : others) {
+    if (other.imagined.empty()) names += (names.empty() ? "" : ", ") + other.names.front();
+  }
+  if (names.empty()) return y;
+  return canvas.Paragraph(kMargin, y, canvas.width() - 2 * kMargin,
+                          "Ruled out from the start, without imagining them: " + names, kSmall) +
+         8;
+}
+
 int DrawOthers(Canvas& canvas, const EpisodeRecord& record, int y) {
   if (record.searches.empty() || record.searches.front().others.empty()) return y;
   const auto& search = record.searches.front();
   canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
-  y = canvas.Text(kMargin, y + 12,
-                  search.act ? "Other first actions, and why they were not chosen"
-                             : "What else was imagined, and why it was rejected",
-                  kHeading) +
-      6;
+  const char* heading = search.act ? "Other first actions, and why they were not chosen"
+                                   : "What else was imagined, and why it was rejected";
+  y = canvas.Text(kMargin, y + 12, heading, kHeading) + 6;
   constexpr int kSide = 128, kCell = kSide + 48;
   const int per_row = std::max(1, (canvas.width() - 2 * kMargin) / kCell);
-  int bottom = y;
-  for (std::size_t i = 0; i < search.others.size(); ++i) {
-    const int column = static_cast<int>(i) % per_row;
-    if (i > 0 && column == 0) y = bottom + 12;
-    const auto& other = search.others[i];
-    const int x = kMargin + 2 + column * kCell;
-    canvas.Image(x, y + 2, kSide, other.imagined, kRule);
-    int line =
-        canvas.Paragraph(x, y + kSide + 10, kCell - 16, Chain(other.names), {0.42, kInk, false});
-    line = canvas.Paragraph(x, line, kCell - 16, other.why, {0.42, kBad, false});
-    bottom = std::max(bottom, line);
+  int bottom = y, shown = 0;
+  for (const auto& other : search.others) {
+    if (other.imagined.empty()) continue;
+    const int column = shown++ % per_row;
+    if (shown > 1 && column == 0) y = bottom + 12;
+    bottom = std::max(bottom,
+                      DrawOther(canvas, other, kMargin + 2 + column * kCell, y, kSide, kCell - 16));
   }
-  return bottom + 12;
+  return DrawRuledOut(canvas, search.others, bottom + 8) + 4;
 }
 
 int DrawLegend(Canvas& canvas, const EpisodeRecord& record, int y) {

@@ -17,6 +17,8 @@ constexpr std::int64_t kClosingMs = 200;
 constexpr std::int64_t kStopRepeatMs = 20;
 constexpr std::int64_t kFetchMs = 500;
 constexpr int kMissingAtOnce = 64;
+// Enough for one of each first action to be among them.
+constexpr int kListedFutures = 4096;
 
 std::int64_t SteadyUs() { return SteadyMs() * 1000; }
 
