@@ -1,0 +1,57 @@
+#include "tools/evaluate/episode.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/task_factory.h"
+#include "tools/evaluate/search_deciders.h"
+
+namespace prospect::tools {
+namespace {
+
+constexpr std::uint64_t kFirstScene = 1'400'000;  // tuning scenes: never in a reported figure
+
+TEST(RunEpisode, DoingNothingIsARefusal) {
+  const auto task = sim::MakeTask("navigation");
+  const auto nothing = MakeNothing();
+  const EpisodeRecord record = RunEpisode(*task, *nothing, kFirstScene, 0.01);
+  EXPECT_EQ(record.ending, Ending::kRefused);
+  EXPECT_TRUE(record.actions.empty());
+}
+
+TEST(RunEpisode, RandomIsRepeatableAndNeverIllegal) {
+  const auto task = sim::MakeTask("navigation");
+  for (std::uint64_t seed = kFirstScene; seed < kFirstScene + 10; ++seed) {
+    const auto first = MakeRandom();
+    const auto second = MakeRandom();
+    const EpisodeRecord a = RunEpisode(*task, *first, seed, 0.01);
+    const EpisodeRecord b = RunEpisode(*task, *second, seed, 0.01);
+    EXPECT_EQ(a.actions, b.actions);
+    EXPECT_EQ(a.ending, b.ending);
+    EXPECT_TRUE(a.ending == Ending::kSolved || a.ending == Ending::kFailed);
+    EXPECT_NE(a.reason, "illegal action");
+    EXPECT_EQ(a.ending == Ending::kSolved, a.reason.empty());
+  }
+}
+
+// A planner that may try things in the simulator first must do better than chance over a few
+// scenes.
+TEST(RunEpisode, PerfectImaginationBeatsChance) {
+  const auto task = sim::MakeTask("navigation");
+  planner::SearchParameters parameters;
+  parameters.samples = 40;
+  const auto informed = MakeSimulatorModel(parameters);
+  const auto random = MakeRandom();
+  int informed_solved = 0;
+  int random_solved = 0;
+  for (std::uint64_t seed = kFirstScene; seed < kFirstScene + 20; ++seed) {
+    informed_solved += RunEpisode(*task, *informed, seed, 0.01).ending == Ending::kSolved;
+    random_solved += RunEpisode(*task, *random, seed, 0.01).ending == Ending::kSolved;
+  }
+  EXPECT_GT(informed_solved, random_solved);
+  EXPECT_GE(informed_solved, 10);
+}
+
+}  // namespace
+}  // namespace prospect::tools

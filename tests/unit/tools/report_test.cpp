@@ -1,0 +1,81 @@
+#include "tools/evaluate/report.h"
+
+#include <gtest/gtest.h>
+
+#include "tools/evaluate/calibrate.h"
+
+namespace prospect::tools {
+namespace {
+
+SceneRecord Scene(const std::string& scene_class, const std::string& planner,
+                  const std::string& random, double oracle) {
+  const auto row = [](const std::string& ending) {
+    return nlohmann::json{{"ending", ending}, {"seconds", {0.1, 0.2}}, {"evaluations", 10}};
+  };
+  return {{"class", scene_class},
+          {"oracle_success", oracle},
+          {"solved_at_start", false},
+          {"rows", {{"planner", row(planner)}, {"random", row(random)}}}};
+}
+
+TEST(Summarise, CountsEachEndingWithinItsClass) {
+  const std::vector<SceneRecord> scenes = {
+      Scene("solvable", "solved", "failed", 1.0),  Scene("solvable", "solved", "solved", 0.8),
+      Scene("solvable", "refused", "failed", 1.0), Scene("solvable", "stopped", "failed", 0.8),
+      Scene("hopeless", "refused", "failed", 0.0), Scene("doubtful", "failed", "failed", 0.4)};
+  const nlohmann::json s = Summarise(scenes, {"planner", "random"});
+  EXPECT_EQ(s["scenes"], 6);
+  EXPECT_EQ(s["solvable"], 4);
+  EXPECT_EQ(s["hopeless"], 1);
+  EXPECT_EQ(s["doubtful"], 1);
+  EXPECT_DOUBLE_EQ(s["solved_solvable"], 0.5);
+  EXPECT_DOUBLE_EQ(s["refused_solvable"], 0.25);
+  EXPECT_DOUBLE_EQ(s["stopped_solvable"], 0.25);
+  EXPECT_DOUBLE_EQ(s["failed_solvable"], 0.0);
+  EXPECT_DOUBLE_EQ(s["refused_hopeless"], 1.0);
+  EXPECT_DOUBLE_EQ(s["random_solved_solvable"], 0.25);
+  EXPECT_DOUBLE_EQ(s["oracle_success"], 0.9);
+  EXPECT_NEAR(s["solved_over_oracle"].get<double>(), 0.5 / 0.9, 1e-12);
+}
+
+TEST(Summarise, LeavesOutScenesSolvedAtTheStart) {
+  std::vector<SceneRecord> scenes = {Scene("solvable", "solved", "solved", 1.0),
+                                     Scene("solvable", "failed", "failed", 1.0)};
+  scenes[0]["solved_at_start"] = true;
+  const nlohmann::json s = Summarise(scenes, {"planner", "random"});
+  EXPECT_EQ(s["scenes"], 1);
+  EXPECT_EQ(s["solved_at_start_excluded"], 1);
+  EXPECT_DOUBLE_EQ(s["solved_solvable"], 0.0);
+}
+
+TEST(Table, SaysWhatTheSummarySays) {
+  const nlohmann::json s =
+      Summarise({Scene("solvable", "solved", "failed", 1.0)}, {"planner", "random"});
+  const std::string table = Table(s, {"planner", "random"});
+  EXPECT_NE(table.find("1 scenes: 1 solvable"), std::string::npos);
+  EXPECT_NE(table.find("random, solvable: solved"), std::string::npos);
+}
+
+SceneRecord Scored(const std::string& scene_class, double score) {
+  SceneRecord scene = Scene(scene_class, "solved", "failed", 1.0);
+  scene["rows"]["planner"]["score"] = score;
+  return scene;
+}
+
+TEST(ConformalThreshold, IsTheRightOrderStatisticOfSolvableScenes) {
+  std::vector<SceneRecord> scenes;
+  for (int i = 0; i < 39; ++i) scenes.push_back(Scored("solvable", (39 - i) / 100.0));
+  for (int i = 0; i < 50; ++i) scenes.push_back(Scored("hopeless", 0.0));
+  int solvable = 0;
+  EXPECT_DOUBLE_EQ(ConformalThreshold(scenes, 0.05, &solvable), 0.02);  // k = 0.05 * 40 = 2
+  EXPECT_EQ(solvable, 39);
+}
+
+TEST(ConformalThreshold, RefusesNothingWithTooFewScenes) {
+  int solvable = 0;
+  EXPECT_EQ(ConformalThreshold({Scored("solvable", 0.9)}, 0.05, &solvable), 0.0);
+  EXPECT_EQ(solvable, 1);
+}
+
+}  // namespace
+}  // namespace prospect::tools

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace prospect::tools {
+
+// Work that is cut into numbered items and spread over processes, because neither HDF5 nor a
+// world's set-up wants threads. Item i goes to process i modulo `jobs`, so a result never depends
+// on timing.
+//
+// `work` runs in a child and returns one line of text (no newline inside); `on_result` runs in the
+// caller's process, in the order in which results arrive. With jobs <= 1 everything runs in the
+// caller. Throws std::runtime_error when a child died before it had done its items.
+void ForkMap(int items, int jobs, const std::function<std::function<std::string(int)>()>& make_work,
+             const std::function<void(int, const std::string&)>& on_result);
+
+}  // namespace prospect::tools

@@ -1,0 +1,37 @@
+#include "tools/common/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace prospect::tools {
+
+Progress::Progress(std::string what, int total)
+    : what_(std::move(what)),
+      total_(total),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()),
+      printed_(start_) {}
+
+Progress::~Progress() {
+  if (terminal_ && done_ > 0) std::fputc('\n', stderr);
+}
+
+void Progress::Step() {
+  ++done_;
+  const auto now = std::chrono::steady_clock::now();
+  const auto period = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(30000);
+  if (now - printed_ < period && done_ != total_) return;
+  printed_ = now;
+  Print();
+}
+
+void Progress::Print() {
+  const double elapsed = std::chrono::duration<double>(printed_ - start_).count();
+  const int left = static_cast<int>(elapsed / done_ * (total_ - done_));
+  std::fprintf(stderr, "%s%d of %d %s, %d:%02d left%s", terminal_ ? "\r" : "", done_, total_,
+               what_.c_str(), left / 60, left % 60, terminal_ ? "   " : "\n");
+}
+
+}  // namespace prospect::tools

@@ -1,0 +1,11 @@
+if(NOT TARGET prospect_sim OR NOT TARGET prospect_model OR NOT TARGET prospect_planner)
+  return()
+endif()
+set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
+add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/decider.cpp ${evaluate}/engine_model.cpp ${evaluate}/episode.cpp
+  ${evaluate}/report.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
+prospect_target(prospect_evaluate_lib)
+target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_planner prospect_tools_common)
+add_executable(prospect-evaluate ${evaluate}/main.cpp)
+prospect_target(prospect-evaluate)
+target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_weights)

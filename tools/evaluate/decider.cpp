@@ -1,0 +1,49 @@
+#include "tools/evaluate/decider.h"
+
+#include <random>
+
+namespace prospect::tools {
+namespace {
+
+class Nothing : public Decider {
+ public:
+  void Begin(std::uint64_t, const std::vector<std::uint8_t>&) override {}
+  Decision Decide(const planner::Path&, const std::vector<std::uint8_t>&, sim::Task&) override {
+    Decision decision;
+    decision.reason = "does nothing";
+    return decision;
+  }
+};
+
+class Random : public Decider {
+ public:
+  void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
+    generator_.seed(scene_seed * 2654435761u + 17);
+  }
+  Decision Decide(const planner::Path&, const std::vector<std::uint8_t>&,
+                  sim::Task& task) override {
+    Decision decision;
+    const std::vector<int> legal = task.LegalActions();
+    if (!legal.empty()) decision.action = legal[generator_() % legal.size()];
+    return decision;
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+}  // namespace
+
+planner::TaskRules RulesOf(const sim::TaskSpec& spec) {
+  planner::TaskRules rules;
+  rules.num_actions = static_cast<int>(spec.actions.size());
+  rules.plan_length = spec.plan_length;
+  rules.successors = spec.successors;
+  rules.repeats_allowed = spec.repeats_allowed;
+  return rules;
+}
+
+std::unique_ptr<Decider> MakeNothing() { return std::make_unique<Nothing>(); }
+std::unique_ptr<Decider> MakeRandom() { return std::make_unique<Random>(); }
+
+}  // namespace prospect::tools

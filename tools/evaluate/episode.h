@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/task.h"
+#include "tools/evaluate/decider.h"
+
+namespace prospect::tools {
+
+// How an episode ended (DESIGN section 6).
+enum class Ending {
+  kSolved,   // the task's success
+  kRefused,  // no action was ever begun
+  kStopped,  // given up after the first action
+  kFailed,   // the task's failure
+};
+const char* ToString(Ending ending);  // "solved", "refused", "stopped", "failed"
+
+struct EpisodeRecord {
+  Ending ending = Ending::kRefused;
+  std::string reason;        // of a failure, refusal or stop
+  std::vector<int> actions;  // begun, in order
+  double first_score = 0;    // of the first plan: what refusal is decided on
+  std::int64_t evaluations = 0;
+  std::int64_t rollouts = 0;
+  std::vector<double> seconds_per_plan;  // wall clock of each decision
+};
+
+// Runs one closed loop on scene `seed`: reset, look, decide, act, look again, until the trial is
+// over or the decider gives up. Pictures carry sensor noise of standard deviation `image_noise`
+// (share of full scale).
+EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise);
+
+}  // namespace prospect::tools

@@ -1,0 +1,221 @@
+// prospect-evaluate: closed loop on scenes that nothing was trained or tuned on, with the oracle's
+// verdict and plain baselines beside the planner. Needs no bus: the same planner, networks and
+// world as the services, in one process a job.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "model/calibration.h"
+#include "model/engine.h"
+#include "sim/oracle.h"
+#include "sim/oracle_cache.h"
+#include "sim/task_factory.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/progress.h"
+#include "tools/evaluate/calibrate.h"
+#include "tools/evaluate/decider.h"
+#include "tools/evaluate/episode.h"
+#include "tools/evaluate/report.h"
+#include "tools/evaluate/search_deciders.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string task = "navigation";
+  std::string weights;
+  std::string json_file;
+  int scenes = 100;
+  std::uint64_t seed = 2'000'000;
+  sim::TaskOptions world;
+  planner::SearchParameters search;
+  double threshold = -1;
+  bool calibrate = false;
+  double alpha = 0.05;
+  int jobs = 2;
+  std::vector<std::string> rows = {"planner", "nothing",    "random",
+                                   "greedy",  "exhaustive", "simulator_model"};
+};
+
+void AddOptions(CLI::App* app, Options* o) {
+  app->add_option("--task", o->task, "Task")->capture_default_str();
+  app->add_option("--weights", o->weights, "Weights file")->required();
+  app->add_option("--scenes", o->scenes, "Scenes")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app->add_option("--seed", o->seed,
+                  "First scene; 1000000 and up, since lower seeds are for training")
+      ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+  app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
+      ->capture_default_str();
+  app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
+  app->add_option("--samples", o->search.samples, "Rollouts a search")->capture_default_str();
+  app->add_option("--depth", o->search.depth, "Actions to look ahead; the plan's rest limits it")
+      ->check(CLI::Range(1, 32))
+      ->capture_default_str();
+  app->add_option("--rule", o->search.rule, "Selection rule")->capture_default_str();
+  app->add_option("--threshold", o->threshold,
+                  "Plan score below which to refuse; negative: the weights' own")
+      ->capture_default_str();
+  app->add_option("--rows", o->rows, "Which rows to run, the planner always among them")
+      ->delimiter(',');
+  app->add_flag("--calibrate", o->calibrate,
+                "Find the refusal threshold on calibration scenes (from 1500000) and store it in "
+                "the weights");
+  app->add_option("--alpha", o->alpha,
+                  "With --calibrate: share of solvable scenes that may be refused")
+      ->check(CLI::Range(0.0, 0.5))
+      ->capture_default_str();
+  app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
+  app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
+}
+
+// Everything one process needs to evaluate scenes.
+class Bench {
+ public:
+  explicit Bench(const Options& options)
+      : options_(options),
+        task_(sim::MakeTask(options.task, options.world)),
+        engine_(model::LoadTorchEngine(options.weights, 1)),
+        cache_({options.task, task_->spec().world_version, options.world.objects,
+                options.world.legs}) {
+    planner::SearchParameters search = options.search;
+    search.refusal_threshold =
+        options.threshold >= 0 ? options.threshold : engine_->info().refusal_threshold;
+    for (const std::string& row : options.rows) deciders_.emplace_back(row, Make(row, search));
+  }
+
+  SceneRecord Run(std::uint64_t seed) {
+    const sim::OracleResult oracle = sim::ConsultOracleCached(*task_, seed, cache_);
+    SceneRecord scene = {{"seed", seed},
+                         {"class", sim::ToString(oracle.scene_class)},
+                         {"oracle_success", oracle.success_frequency()},
+                         {"random_plan_success", 1 - oracle.random_failure_share()}};
+    task_->Reset(seed);
+    scene["solved_at_start"] = task_->progress().outcome == sim::Outcome::kSuccess;
+    for (auto& [name, decider] : deciders_) {
+      scene["rows"][name] = ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise));
+    }
+    return scene;
+  }
+
+ private:
+  std::unique_ptr<Decider> Make(const std::string& row, const planner::SearchParameters& search) {
+    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search);
+    if (row == "exhaustive") return MakeLearned(PlanBy::kExhaustive, engine_.get(), search);
+    if (row == "greedy") return MakeLearned(PlanBy::kGreedy, engine_.get(), search);
+    if (row == "simulator_model") return MakeSimulatorModel(search);
+    if (row == "random") return MakeRandom();
+    if (row == "nothing") return MakeNothing();
+    throw std::invalid_argument(
+        "unknown row '" + row +
+        "'; known: planner, nothing, random, greedy, exhaustive, simulator_model");
+  }
+
+  static json ToJson(const EpisodeRecord& record) {
+    return {{"ending", ToString(record.ending)}, {"reason", record.reason},
+            {"actions", record.actions},         {"score", record.first_score},
+            {"evaluations", record.evaluations}, {"rollouts", record.rollouts},
+            {"seconds", record.seconds_per_plan}};
+  }
+
+  Options options_;
+  std::unique_ptr<sim::Task> task_;
+  std::unique_ptr<model::Engine> engine_;
+  sim::OracleCache cache_;
+  std::vector<std::pair<std::string, std::unique_ptr<Decider>>> deciders_;
+};
+
+std::vector<SceneRecord> RunScenes(const Options& options) {
+  std::vector<SceneRecord> scenes(options.scenes);
+  Progress progress("scenes", options.scenes);
+  ForkMap(
+      options.scenes, options.jobs,
+      [&]() {
+        auto bench = std::make_shared<Bench>(options);
+        return [bench, &options](int i) { return bench->Run(options.seed + i).dump(); };
+      },
+      [&](int i, const std::string& line) {
+        scenes[i] = json::parse(line);
+        progress.Step();
+      });
+  return scenes;
+}
+
+// Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
+void PrepareCalibration(Options* options) {
+  options->rows = {"planner"};
+  options->threshold = 0;
+  if (options->seed == 2'000'000) options->seed = 1'500'000;
+  if (options->seed < 1'500'000 || options->seed + options->scenes > 2'000'000) {
+    throw std::invalid_argument(
+        "calibration scenes are 1500000 to 1999999; see --seed and --scenes");
+  }
+}
+
+void Calibrate(const Options& options, const std::vector<SceneRecord>& scenes) {
+  model::Calibration calibration;
+  calibration.alpha = options.alpha;
+  calibration.refusal_threshold = ConformalThreshold(scenes, options.alpha, &calibration.scenes);
+  calibration.command = "prospect-evaluate --calibrate --scenes " + std::to_string(options.scenes) +
+                        " --seed " + std::to_string(options.seed) + " --samples " +
+                        std::to_string(options.search.samples) + " --alpha " +
+                        std::to_string(options.alpha);
+  model::StoreCalibration(options.weights, calibration);
+  std::cout << "refusal threshold " << calibration.refusal_threshold << " from "
+            << calibration.scenes << " solvable scenes, stored in " << options.weights << "\n";
+}
+
+int Main(int argc, char** argv) {
+  Options options;
+  options.search.samples = 30;
+  CLI::App app(
+      "Closed-loop evaluation on scenes never trained or tuned on, beside the oracle and plain "
+      "baselines.");
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (options.calibrate) PrepareCalibration(&options);
+  if (options.rows.empty() || options.rows.front() != "planner")
+    options.rows.insert(options.rows.begin(), "planner");
+  const std::vector<SceneRecord> scenes = RunScenes(options);
+  json summary = Summarise(scenes, options.rows);
+  std::cout << Table(summary, options.rows);
+  if (options.calibrate) Calibrate(options, scenes);
+  if (options.json_file.empty()) return 0;
+  summary["task"] = options.task;
+  summary["first_seed"] = options.seed;
+  summary["objects"] = options.world.objects;
+  summary["legs"] = options.world.legs;
+  summary["samples"] = options.search.samples;
+  summary["records"] = scenes;
+  std::ofstream out(options.json_file);
+  out << summary.dump(1) << "\n";
+  if (out.flush()) return 0;
+  std::cerr << "prospect: cannot write " << options.json_file << "\n";
+  return 13;
+}
+
+}  // namespace
+}  // namespace prospect::tools
+
+int main(int argc, char** argv) {
+  try {
+    return prospect::tools::Main(argc, argv);
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "prospect: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "prospect: " << error.what() << "\n";
+    return 10;
+  }
+}

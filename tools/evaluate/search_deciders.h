@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "model/engine.h"
+#include "planner/search_parameters.h"
+#include "tools/evaluate/decider.h"
+
+namespace prospect::tools {
+
+// How a plan is looked for.
+enum class PlanBy {
+  kSearch,      // Algorithm 1 with parameters.samples rollouts
+  kExhaustive,  // every permitted future
+  kGreedy,      // highest Q at each step, never refuses
+};
+
+// Plans with the learned networks. `engine` outlives the decider.
+std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
+                                     const planner::SearchParameters& parameters);
+
+// Searches with the simulator as its model: perfect imagination, the same number of rollouts.
+std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters);
+
+}  // namespace prospect::tools
