@@ -26,6 +26,7 @@ const cv::Scalar kImagined(190, 120, 50);
 const Canvas::Style kTitle{0.85, kInk, false};
 const Canvas::Style kBody{0.5, kInk, false};
 const Canvas::Style kHeading{0.6, kInk, false};
+const Canvas::Style kStepTitle{0.54, kInk, false};
 const Canvas::Style kSmall{0.42, kFaint, false};
 
 // One column: a step, or the start.
@@ -86,7 +87,7 @@ Column StepColumn(const TableRow& row, const EpisodeRecord& record) {
   column.title = std::to_string(row.step) + ". " + row.imagined.name;
   if (const StepRecord* far = FarStep(record, row.step)) {
     column.far = far->imagined;
-    if (far->name != row.imagined.name) column.far_name = "planned then: " + far->name;
+    if (far->name != row.imagined.name) column.far_name = "planned: " + far->name;
   }
   const auto index = static_cast<std::size_t>(row.step) - 1;
   // One step ahead only where a search began with this very step.
@@ -176,7 +177,7 @@ int DrawTitles(Canvas& canvas, const Layout& layout, const std::vector<Column>& 
   for (int i = 0; i < layout.columns; ++i) {
     bottom =
         std::max(bottom, canvas.Paragraph(layout.Left(i), y, layout.side,
-                                          columns[static_cast<std::size_t>(i)].title, kHeading));
+                                          columns[static_cast<std::size_t>(i)].title, kStepTitle));
   }
   return bottom + 6;
 }
@@ -268,7 +269,7 @@ int DrawLegend(Canvas& canvas, const EpisodeRecord& record, int y) {
 void WritePlanPicture(const EpisodeRecord& record, const std::string& path) {
   Layout layout;
   layout.columns = static_cast<int>(Columns(record).size());
-  if (layout.columns > 4) layout.side = 192;
+  if (layout.columns > 4) layout.side = 224;
   Canvas canvas(layout.Width());
   int y = DrawHeader(canvas, record);
   y = DrawSteps(canvas, layout, record, y);

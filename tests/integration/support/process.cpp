@@ -31,7 +31,8 @@ namespace {
 
 Process::Process(const std::string& program, const std::vector<std::string>& arguments,
                  const std::string& log) {
-  std::vector<std::string> words{std::string(PROSPECT_BIN) + "/" + program};
+  const bool absolute = program.front() == '/';
+  std::vector<std::string> words{absolute ? program : std::string(PROSPECT_BIN) + "/" + program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("fork failed");
