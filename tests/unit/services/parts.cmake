@@ -1,0 +1,17 @@
+# The parts of the services that need no bus.
+if(TARGET prospect_binding)
+  prospect_test(services_binding_test SOURCES parts/messages_test.cpp parts/request_window_test.cpp parts/shared_search_test.cpp
+    LIBS prospect_binding)
+endif()
+if(TARGET prospect_simulator_lib)
+  prospect_test(services_simulator_test SOURCES parts/command_gate_test.cpp parts/scene_test.cpp LIBS prospect_simulator_lib)
+endif()
+if(TARGET prospect_model_server_lib)
+  prospect_test(services_model_test SOURCES parts/request_queue_test.cpp parts/search_memory_test.cpp
+    LIBS prospect_model_server_lib prospect_engine_scripted)
+endif()
+if(TARGET prospect_executive_lib)
+  find_package(nlohmann_json 3 REQUIRED)
+  prospect_test(services_executive_test SOURCES parts/policy_test.cpp parts/report_test.cpp
+    LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
+endif()

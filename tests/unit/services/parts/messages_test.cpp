@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "services/binding/evaluation_messages.h"
+#include "services/binding/search_messages.h"
+#include "services/binding/statistics_messages.h"
+#include "services/binding/task_messages.h"
+
+namespace prospect::services {
+namespace {
+
+planner::Evaluation SomeEvaluation() {
+  planner::Evaluation evaluation;
+  evaluation.value = 0.123456f;
+  evaluation.done = 0.98765f;
+  evaluation.q = {0.1f, 0.2f, 0.3f, 0.4f};
+  evaluation.p = {0.9f, 0.8f, 0.7f, 0.6f};
+  return evaluation;
+}
+
+TEST(EvaluationMessages, AllowedActionsComeBackWithinTheGridAndOthersAsZero) {
+  const auto back = FromMessage(ToMessage({2}, SomeEvaluation(), {0, 3}), 4);
+  EXPECT_NEAR(back.value, 0.123456f, 1.0 / 65535);
+  EXPECT_NEAR(back.done, 0.98765f, 1.0 / 65535);
+  EXPECT_NEAR(back.q[3], 0.4f, 1.0 / 65535);
+  EXPECT_NEAR(back.p[0], 0.9f, 1.0 / 65535);
+  EXPECT_EQ(back.q[1], 0.0f);
+  EXPECT_EQ(back.p[2], 0.0f);
+}
+
+// What went over the wire once is not changed by going over it again: all processes see the same
+// numbers.
+TEST(EvaluationMessages, SecondTripChangesNothing) {
+  const auto once = ToMessage({}, SomeEvaluation(), {0, 1, 2, 3});
+  const auto twice = ToMessage({}, FromMessage(once, 4), {0, 1, 2, 3});
+  EXPECT_EQ(once.value, twice.value);
+  EXPECT_EQ(once.done, twice.done);
+  EXPECT_EQ(once.q, twice.q);
+  EXPECT_EQ(once.p, twice.p);
+}
+
+TEST(EvaluationMessages, ActionsBeyondTheTableAreLeftOut) {
+  const auto message = ToMessage({}, SomeEvaluation(), {0, 1, 2, 3});
+  EXPECT_EQ(FromMessage(message, 2).q.size(), 2u);
+}
+
+TEST(StatisticsMessages, KeepTheChecksum) {
+  planner::StatisticsBatch batch;
+  batch.search = {0xfedcba9876543210ULL, 7};
+  batch.writer = 11;
+  batch.sequence = 3;
+  batch.totals = {5, 4, 2, 1, 0x8000000000000001ULL, true};
+  batch.rows.push_back({11, {1, 2}, 9, 5, planner::kValueOne / 3, 0.75f, 2});
+  batch.checksum = planner::PayloadChecksum(batch);
+  const auto back = FromMessage(ToMessage(batch, 1000));
+  EXPECT_EQ(planner::PayloadChecksum(back), batch.checksum);
+  EXPECT_EQ(back.checksum, batch.checksum);
+  EXPECT_TRUE(back.totals.finished);
+}
+
+TEST(SearchMessages, ParametersComeBack) {
+  planner::SearchParameters sent;
+  sent.rule = "puct";
+  sent.c = 3.5;
+  sent.p_min = 0.05;
+  sent.refusal_threshold = 0.4;
+  sent.skip_exhausted = true;
+  sent.depth = 4;
+  sent.samples = 77;
+  sent.seed = 5;
+  search_root_t root{};
+  SetParameters(sent, &root);
+  root.budget_ms = -1;
+  const auto back = ParametersFrom(root, 1000);
+  EXPECT_EQ(back.rule, "puct");
+  EXPECT_EQ(back.c, 3.5);
+  EXPECT_EQ(back.p_min, 0.05);
+  EXPECT_EQ(back.refusal_threshold, 0.4);
+  EXPECT_TRUE(back.skip_exhausted);
+  EXPECT_EQ(back.depth, 4);
+  EXPECT_EQ(back.samples, 77);
+  EXPECT_EQ(back.deadline_us, 0);
+  root.budget_ms = 50;
+  EXPECT_EQ(ParametersFrom(root, 1000).deadline_us, 51000);
+}
+
+task_t SmallTask() {
+  task_t task{};
+  task.name = "t";
+  for (int i = 0; i < 2; ++i) {
+    action_t action{};
+    action.index = i;
+    action.name = "a" + std::to_string(i);
+    action.successors = {1 - i};
+    action.num_successors = 1;
+    task.actions.push_back(action);
+  }
+  task.num_actions = 2;
+  task.initial = {0, 1};
+  task.num_initial = 2;
+  task.plan_length = 2;
+  return task;
+}
+
+TEST(TaskMessages, RulesFollowTheTable) {
+  const auto rules = RulesFromTask(SmallTask());
+  EXPECT_EQ(rules.AllowedActions({}, {}), (std::vector<int>{0, 1}));
+  EXPECT_EQ(rules.AllowedActions({}, {1}), (std::vector<int>{0}));
+  EXPECT_TRUE(rules.Complete({1}, {0}));
+}
+
+TEST(TaskMessages, HashTellsPlanLengthsApartAndNotTimes) {
+  task_t task = SmallTask();
+  const auto hash = TaskHash(task);
+  task.utime = 99;
+  task.task_hash = 5;
+  EXPECT_EQ(TaskHash(task), hash);
+  task.plan_length = 1;
+  EXPECT_NE(TaskHash(task), hash);
+}
+
+TEST(TaskMessages, IndexOutsideTheTableIsRefused) {
+  task_t task = SmallTask();
+  task.initial = {0, 9};
+  EXPECT_THROW(RulesFromTask(task), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace prospect::services

@@ -1,0 +1,52 @@
+#include "services/executive/policy.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace prospect::services {
+namespace {
+
+TEST(PolicyTest, KnownOnesAndMistakes) {
+  EXPECT_EQ(PolicyDefect("search"), "");
+  EXPECT_EQ(PolicyDefect("collect"), "");
+  EXPECT_EQ(PolicyDefect("plan:0,2,1"), "");
+  for (const char* wrong : {"", "plan:", "plan:a", "plan:1;2", "plan:-1", "dance"}) {
+    EXPECT_NE(PolicyDefect(wrong), "") << wrong;
+  }
+  EXPECT_EQ(ParsePlan("plan:0,12,1"), (std::vector<int>{0, 12, 1}));
+}
+
+task_t FreeTask(int actions, int plan_length) {
+  task_t task{};
+  task.num_actions = actions;
+  task.plan_length = plan_length;
+  std::vector<std::int32_t> all;
+  for (int i = 0; i < actions; ++i) all.push_back(i);
+  for (int i = 0; i < actions; ++i) {
+    action_t action{};
+    action.index = i;
+    action.successors = all;
+    task.actions.push_back(action);
+  }
+  task.initial = all;
+  return task;
+}
+
+TEST(PolicyTest, CollectPlanIsLegalPresentAndDecidedByTheSeed) {
+  label_t label{};
+  label.present = {1, 0, 1, 1, 0, 1};
+  std::set<std::vector<int>> plans;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto plan = CollectPlan(FreeTask(6, 3), label, seed);
+    ASSERT_EQ(plan.size(), 3u);
+    EXPECT_EQ(std::set<int>(plan.begin(), plan.end()).size(), 3u);
+    for (const int action : plan) EXPECT_EQ(label.present[static_cast<std::size_t>(action)], 1);
+    EXPECT_EQ(CollectPlan(FreeTask(6, 3), label, seed), plan);
+    plans.insert(plan);
+  }
+  EXPECT_GT(plans.size(), 10u);
+}
+
+}  // namespace
+}  // namespace prospect::services

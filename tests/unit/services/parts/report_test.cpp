@@ -1,0 +1,103 @@
+#include "services/executive/report.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "services/executive/plan_picture.h"
+
+namespace prospect::services {
+namespace {
+
+StepRecord Step(const std::string& name, double score) {
+  StepRecord step;
+  step.action = 1;
+  step.name = name;
+  step.score = score;
+  step.value = 0.9;
+  step.done = 0.8;
+  step.visits = 12;
+  step.predicted = true;
+  return step;
+}
+
+// Two steps planned, the first carried out, the second failed after a new search.
+EpisodeRecord FailedEpisode() {
+  EpisodeRecord record;
+  record.task = "navigation";
+  record.seed = 5;
+  record.outcome = "failed";
+  record.reason = "b failed: it ran out of time";
+  SearchRecord first, second;
+  first.act = second.act = true;
+  first.rollouts = 30;
+  second.rollouts = 20;
+  first.steps = {Step("a", 0.7), Step("c", 0.6), Step("d", 0.5)};
+  second.steps = {Step("b", 0.4), Step("d", 0.3)};
+  record.searches = {first, second};
+  ActRecord a, b;
+  a.name = "a";
+  a.observed = "succeeded";
+  b.name = "b";
+  b.observed = "failed";
+  b.reason = "time";
+  record.acts = {a, b};
+  return record;
+}
+
+TEST(ReportTest, RowsAreTheSearchBeforeEachActAndWhatIsLeftOfThePlan) {
+  const auto rows = TableRows(FailedEpisode());
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].imagined.name, "a");
+  EXPECT_EQ(rows[0].imagined.score, 0.7);
+  EXPECT_EQ(rows[1].imagined.name, "b");
+  EXPECT_EQ(rows[1].imagined.score, 0.4);
+  EXPECT_EQ(rows[1].observed, "failed");
+  EXPECT_EQ(rows[2].imagined.name, "d");
+  EXPECT_EQ(rows[2].observed, "");
+}
+
+TEST(ReportTest, RefusalShowsWhatItRefused) {
+  EpisodeRecord record = FailedEpisode();
+  record.outcome = "refused";
+  record.acts.clear();
+  record.searches.resize(1);
+  const auto rows = TableRows(record);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].imagined.name, "a");
+  EXPECT_EQ(rows[0].observed, "");
+}
+
+TEST(ReportTest, JsonHoldsWhatScriptsRead) {
+  const auto json = nlohmann::json::parse(ResultJson(FailedEpisode(), 4));
+  EXPECT_EQ(json.at("outcome"), "failed");
+  EXPECT_EQ(json.at("exit_code"), 4);
+  EXPECT_EQ(json.at("rollouts"), 50);
+  EXPECT_EQ(json.at("actions").size(), 2u);
+  EXPECT_EQ(json.at("steps").at(0).at("predicted"), "success");
+  EXPECT_EQ(json.at("steps").at(1).at("observed"), "failed");
+  EXPECT_TRUE(json.at("steps").at(2).at("observed").is_null());
+}
+
+TEST(ReportTest, TableNamesVerdict) {
+  const std::string table = PlanTable(FailedEpisode());
+  EXPECT_NE(table.find("Failed: b failed: it ran out of time"), std::string::npos) << table;
+  EXPECT_NE(table.find("0.700"), std::string::npos) << table;
+}
+
+TEST(ReportTest, PictureIsWrittenWithAndWithoutImages) {
+  const std::string path = testing::TempDir() + "plan_picture_" + std::to_string(getpid()) + ".png";
+  EpisodeRecord record = FailedEpisode();
+  WritePlanPicture(record, path);
+  record.first = {2, 2, std::vector<std::uint8_t>(12, 200)};
+  record.searches[0].steps[0].imagined = record.first;
+  WritePlanPicture(record, path);
+  EXPECT_GT(std::filesystem::file_size(path), 1000u);
+  std::filesystem::remove(path);
+  EXPECT_THROW(WritePlanPicture(record, "/nonexistent-folder/plan.png"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace prospect::services

@@ -1,0 +1,86 @@
+#include "services/simulator/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "services/binding/task_messages.h"
+#include "sim/rollout.h"
+#include "sim/sensor_noise.h"
+
+namespace prospect::services {
+namespace {
+
+constexpr std::uint64_t kSeed = 12;
+
+struct NoisyFrames : sim::FrameSink {
+  void OnFrame(const sim::Image& image, const sim::Progress& now) override {
+    frames.push_back(image.rgb);
+    sim::AddSensorNoise(frames.back().data(), frames.back().size(), kSeed,
+                        static_cast<std::int64_t>(frames.size()) - 1, 0.01);
+    progress.push_back(now);
+  }
+  std::vector<std::vector<std::uint8_t>> frames;
+  std::vector<sim::Progress> progress;
+};
+
+// What goes over the bus is what a collector of trials sees for the same scene and plan.
+TEST(SceneTest, FramesEqualTheRolloutsWithSensorNoise) {
+  auto task = sim::MakeTask("navigation");
+  task->Reset(kSeed);
+  const int action = task->LegalActions().front();
+  NoisyFrames expected;
+  sim::RunPlan(*task, {action}, &expected);
+
+  Scene scene("navigation", {}, kSeed);
+  ASSERT_EQ(scene.observation().data, expected.frames[0]);
+  ASSERT_EQ(scene.Start(action), "");
+  for (std::size_t frame = 1; frame < expected.frames.size(); ++frame) {
+    ASSERT_TRUE(scene.moving());
+    scene.Tick();
+    ASSERT_EQ(scene.frame(), static_cast<std::int64_t>(frame));
+    EXPECT_TRUE(scene.observation().data == expected.frames[frame]) << frame;
+    EXPECT_EQ(scene.label().action, expected.progress[frame].action);
+    EXPECT_EQ(scene.label().segment_end, frame + 1 == expected.frames.size() ? 1 : 0);
+  }
+  EXPECT_FALSE(scene.moving());
+}
+
+TEST(SceneTest, RefusesWhatCannotBeDone) {
+  Scene scene("navigation", {}, kSeed);
+  EXPECT_NE(scene.Start(200), "");
+  EXPECT_NE(scene.Start(-1), "");
+  const auto& present = scene.label().present;
+  int action = 0;
+  while (!present.at(static_cast<std::size_t>(action))) ++action;
+  ASSERT_EQ(scene.Start(action), "");
+  EXPECT_NE(scene.Start(action), "") << "one action at a time";
+}
+
+TEST(SceneTest, CancelBrakesAndThenHoldsStill) {
+  Scene scene("navigation", {}, kSeed);
+  int action = 0;
+  while (scene.Start(action) != "") ++action;
+  scene.Tick();
+  ASSERT_TRUE(scene.running()) << "this scene's first action should take a while";
+  scene.Cancel();
+  EXPECT_FALSE(scene.running());
+  int ticks = 0;
+  while (scene.moving() && ticks < 100) scene.Tick(), ++ticks;
+  EXPECT_GT(ticks, 0);
+  EXPECT_LT(ticks, 100);
+  EXPECT_EQ(scene.label().outcome, label_t::OUTCOME_RUNNING);
+}
+
+TEST(SceneTest, OptionsOutOfRangeLeaveTheSceneAlone) {
+  Scene scene("navigation", {}, kSeed);
+  const auto hash = scene.task().task_hash;
+  EXPECT_THROW(scene.Reset(13, 99, 3), std::invalid_argument);
+  EXPECT_EQ(scene.episode_id(), static_cast<std::int64_t>(kSeed));
+  scene.Reset(13, 7, 5);
+  EXPECT_EQ(scene.episode_id(), 13);
+  EXPECT_EQ(scene.task().plan_length, 5);
+  EXPECT_NE(scene.task().task_hash, hash);
+  EXPECT_EQ(TaskHash(scene.task()), scene.task().task_hash);
+}
+
+}  // namespace
+}  // namespace prospect::services
