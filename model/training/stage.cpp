@@ -103,9 +103,8 @@ std::string NoteOf(const std::vector<std::pair<std::string, double>>& means) {
 /// Weights, optimizer and iteration of a stage on disk.
 class StageFile {
  public:
-  StageFile(const Stage& stage, const StageRun& run, std::vector<torch::Tensor> parameters,
-            torch::optim::Adam* adam)
-      : stage_(stage), run_(run), parameters_(std::move(parameters)), adam_(adam) {}
+  StageFile(const Stage& stage, const StageRun& run, torch::optim::Adam* adam)
+      : stage_(stage), run_(run), adam_(adam) {}
 
   std::string finished() const { return run_.folder + "/stage-" + stage_.name() + ".pt"; }
   std::string checkpoint() const { return run_.folder + "/stage-" + stage_.name() + ".checkpoint"; }
@@ -159,9 +158,13 @@ class StageFile {
 
   const Stage& stage_;
   const StageRun& run_;
-  std::vector<torch::Tensor> parameters_;
   torch::optim::Adam* adam_;
 };
+
+torch::optim::Adam MakeAdam(const Stage& stage, const std::vector<torch::Tensor>& parameters) {
+  return torch::optim::Adam(
+      parameters, torch::optim::AdamOptions(stage.config().learning_rate).eps(kAdamEpsilon));
+}
 
 std::vector<torch::Tensor> ParametersOf(const Stage& stage) {
   std::vector<torch::Tensor> all;
@@ -277,17 +280,24 @@ bool Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* st
 
 }  // namespace
 
+bool LoadFinished(Stage* stage, const StageRun& run) {
+  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
+  torch::optim::Adam adam = MakeAdam(*stage, parameters);
+  const StageFile file(*stage, run, &adam);
+  if (file.Load(file.finished()) < 0) return false;
+  SetMode(*stage, false);
+  return true;
+}
+
 bool RunStage(Stage* stage, const StageRun& run) {
   fs::create_directories(run.folder);
-  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
-  torch::optim::Adam adam(parameters,
-                          torch::optim::AdamOptions(stage->config().learning_rate).eps(kAdamEpsilon));
-  const StageFile file(*stage, run, parameters, &adam);
-  if (file.Load(file.finished()) >= 0) {
+  if (LoadFinished(stage, run)) {
     std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
-    SetMode(*stage, false);
     return true;
   }
+  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
+  torch::optim::Adam adam = MakeAdam(*stage, parameters);
+  const StageFile file(*stage, run, &adam);
   SetMode(*stage, true);
   Stepper stepper(stage, run, parameters, &adam);
   const std::int64_t first = std::max<std::int64_t>(0, file.Load(file.checkpoint()));

@@ -49,4 +49,7 @@ struct StageRun {
 /// loss stops being a number.
 bool RunStage(Stage* stage, const StageRun& run);
 
+/// Only loads the finished result of `run.key`, into inference mode; false if there is none.
+bool LoadFinished(Stage* stage, const StageRun& run);
+
 }  // namespace prospect::model

@@ -152,15 +152,25 @@ struct Trainer::Impl {
     return KeyOf({"heads-1", TransformKey(), config.heads, config.imagined_share});
   }
 
+  /// Trains a stage, or, where it was not asked for but is needed by a later one, loads its result.
+  void TrainOrLoad(const std::string& wanted_by, Stage* stage, const std::string& key) const {
+    if (Wants(wanted_by)) {
+      RunStage(stage, RunOf(key));
+    } else if (!LoadFinished(stage, RunOf(key))) {
+      throw std::invalid_argument("stage '" + wanted_by + "' has not been trained from these inputs in " +
+                                  options.folder + "; ask for it, too");
+    }
+  }
+
   void TrainClassifier(const std::string& name, Classifier classifier) {
     Initialise(name == "classifier" ? "classifier" : "second_classifier", classifier.ptr().get());
-    RunStage(MakeClassifierStage(context, classifier, name).get(), RunOf(ClassifierKey()));
+    TrainOrLoad(name, MakeClassifierStage(context, classifier, name).get(), ClassifierKey());
   }
 
   void TrainEncoder() {
     Initialise("encoder", context.networks.encoder.ptr().get());
     Initialise("decoder", context.networks.decoder.ptr().get());
-    RunStage(MakeEncoderDecoderStage(context).get(), RunOf(EncoderKey()));
+    TrainOrLoad("encoder-decoder", MakeEncoderDecoderStage(context).get(), EncoderKey());
   }
 
   void Encode() {
@@ -176,10 +186,10 @@ struct Trainer::Impl {
     Initialise("transform", context.networks.transform.ptr().get());
     Initialise("f", context.networks.f.ptr().get());
     if (config.transform_hidden.iterations > 0) {
-      RunStage(MakeTransformHiddenStage(context).get(), RunOf(TransformHiddenKey()));
+      TrainOrLoad("transform", MakeTransformHiddenStage(context).get(), TransformHiddenKey());
     }
     if (config.transform_image.iterations > 0) {
-      RunStage(MakeTransformImageStage(context).get(), RunOf(TransformKey()));
+      TrainOrLoad("transform", MakeTransformImageStage(context).get(), TransformKey());
     }
   }
 
@@ -201,17 +211,23 @@ Trainer::Trainer(const TrainConfig& config, const TrainOptions& options) {
 
 Trainer::~Trainer() = default;
 
+// Later stages need what earlier ones made, whether or not those were asked for.
 void Trainer::Run() {
   Impl& run = *impl_;
   Networks& networks = run.context.networks;
-  if (run.Wants("classifier")) run.TrainClassifier("classifier", networks.classifier);
+  const bool heads = run.Wants("heads");
+  const bool transform = run.Wants("transform") || heads;
+  const bool image_loss = transform && run.config.transform_image.iterations > 0;
+  if (run.Wants("classifier") || image_loss) run.TrainClassifier("classifier", networks.classifier);
   if (run.Wants("second-classifier")) {
     run.TrainClassifier("second-classifier", networks.second_classifier);
   }
-  if (run.Wants("encoder-decoder")) run.TrainEncoder();
-  if (run.Wants("transform") || run.Wants("heads")) run.Encode();
-  if (run.Wants("transform")) run.TrainTransform();
-  if (run.Wants("heads")) run.TrainHeads();
+  if (run.Wants("encoder-decoder") || transform) run.TrainEncoder();
+  if (transform) {
+    run.Encode();
+    run.TrainTransform();
+  }
+  if (heads) run.TrainHeads();
   networks.SetTraining(false);
 }
 

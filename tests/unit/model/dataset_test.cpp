@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/unit/model/made_trial.h"
+#include "tests/unit/model/test_folder.h"
 
 namespace prospect::model {
 namespace {
@@ -14,21 +15,13 @@ namespace fs = std::filesystem;
 
 class DatasetTest : public ::testing::Test {
  protected:
-  DatasetTest() {
-    dir_ = fs::temp_directory_path() /
-           ("prospect_dataset_test_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) +
-            "_" + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(dir_);
-    fs::create_directories(dir_);
-  }
-  ~DatasetTest() override { fs::remove_all(dir_); }
-  std::string Path(const std::string& name) const { return (dir_ / name).string(); }
+  std::string Path(const std::string& name) const { return folder_ / name; }
   std::string Write(std::uint64_t seed, int segments = 2, bool fails = false) const {
     const std::string path = Path(std::to_string(seed) + ".h5");
     WriteTrialFile(path, MadeTrial(seed, segments, fails));
     return path;
   }
-  fs::path dir_;
+  TestFolder folder_;
 };
 
 void ExpectSame(const Trial& a, const Trial& b) {
@@ -76,7 +69,7 @@ TEST_F(DatasetTest, ATrialWithoutAnActionIsKept) {
 TEST_F(DatasetTest, NoTemporaryFileIsLeft) {
   Write(3);
   std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(dir_)) ++files;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_.path())) ++files;
   EXPECT_EQ(files, 1U);
 }
 

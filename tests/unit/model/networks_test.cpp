@@ -1,0 +1,302 @@
+#include "model/networks/networks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "model/engine.h"
+#include "model/weights.h"
+#include "tests/unit/model/test_folder.h"
+
+namespace prospect::model {
+namespace {
+
+NetworkConfig SmallConfig() {
+  NetworkConfig config;
+  config.image_width = config.image_height = 32;
+  config.num_actions = 3;
+  return config;
+}
+
+TEST(Networks, HaveThePapersShapes) {
+  const torch::NoGradGuard no_grad;
+  Networks n{NetworkConfig{}};
+  n.SetTraining(false);
+  const torch::Tensor x = torch::rand({2, 3, 64, 64});
+  const torch::Tensor h = n.encoder->forward(x);
+  EXPECT_EQ(h.sizes(), (torch::IntArrayRef{2, 8, 8, 8}));
+  EXPECT_EQ(n.decoder->forward(h).sizes(), x.sizes());
+  const torch::Tensor a = torch::tensor({1, 6});
+  EXPECT_EQ(n.transform->forward(h, h, a).sizes(), h.sizes());
+  EXPECT_EQ(n.value->forward(h).sizes(), (torch::IntArrayRef{2}));
+  EXPECT_EQ(n.q->forward(h, h, torch::tensor({7, 0})).sizes(), (torch::IntArrayRef{2, 7}));
+  EXPECT_EQ(n.f->forward(h, h, a).sizes(), (torch::IntArrayRef{2, 1}));
+  EXPECT_EQ(n.classifier->forward(x).sizes(), (torch::IntArrayRef{2, 7}));
+  EXPECT_GT(h.min().item<float>(), 0.0F);
+  EXPECT_LT(h.max().item<float>(), 1.0F);
+}
+
+TEST(Networks, HaveTheAuthorsNumberOfWeights) {
+  const Networks n{NetworkConfig{}};
+  EXPECT_EQ(ParameterCount(*n.encoder), 442'088);  // costar-facts 1.2
+  EXPECT_EQ(ParameterCount(*n.value), 233'953);    // costar-facts 1.6
+  int64_t planning = 0;
+  for (const auto& [name, module] : n.named()) {
+    if (name.find("classifier") == std::string::npos) planning += ParameterCount(*module);
+  }
+  EXPECT_LT(planning * 2, 12'000'000) << "bytes of the bundled weights";
+}
+
+TEST(Networks, SuturingsSizesAndVariantsRun) {
+  const torch::NoGradGuard no_grad;
+  NetworkConfig config;
+  config.image_width = 128;
+  config.image_height = 96;
+  config.num_actions = 16;
+  config.transform_extra_stages = 1;
+  for (const char* heads : {"paper", "costar"}) {
+    config.heads = heads;
+    config.activation = config.heads == "paper" ? "relu" : "leaky_relu";
+    config.skip = config.heads == "paper";
+    Networks n{config};
+    const torch::Tensor h = n.encoder->forward(torch::rand({1, 3, 96, 128}));
+    EXPECT_EQ(h.sizes(), (torch::IntArrayRef{1, 8, 12, 16}));
+    const torch::Tensor a = torch::tensor({15});
+    EXPECT_EQ(n.transform->forward(h, h, a).sizes(), h.sizes());
+    EXPECT_EQ(n.q->forward(h, h, a).size(1), 16);
+    EXPECT_EQ(n.value->forward(h).size(0), 1);
+  }
+}
+
+TEST(Blocks, InstanceNormCentresEachChannelOfEachPicture) {
+  InstanceNorm norm(3);
+  const torch::Tensor y = norm->forward(torch::rand({2, 3, 8, 8}) * 5 + 2);
+  EXPECT_LT(y.mean({2, 3}).abs().max().item<float>(), 1e-5F);
+  EXPECT_NEAR(y.var({2, 3}, false).mean().item<float>(), 1.0F, 1e-3F);
+  const torch::Tensor same = torch::instance_norm(y, {}, {}, {}, {}, true, 0.1, 1e-5, false);
+  EXPECT_LT((same - y).abs().max().item<float>(), 1e-4F);
+}
+
+TEST(Blocks, UpBlockDoublesAndEachInputPixelReachesItsNeighboursOnly) {
+  UpBlock up(1, 1, BlockOptions{Activation::kNone, false, 0.0});
+  torch::Tensor x = torch::zeros({1, 1, 6, 6});
+  const torch::Tensor base = up->forward(x);
+  x[0][0][2][3] = 1.0F;
+  const torch::Tensor touched = (up->forward(x) - base).abs().gt(1e-9);
+  EXPECT_EQ(base.sizes(), (torch::IntArrayRef{1, 1, 12, 12}));
+  for (int r = 0; r < 12; ++r) {
+    for (int c = 0; c < 12; ++c) {
+      const bool near = std::abs(r / 2 - 2) <= 1 && std::abs(c / 2 - 3) <= 1;
+      if (!near) EXPECT_FALSE(touched[0][0][r][c].item<bool>()) << r << " " << c;
+    }
+  }
+}
+
+TEST(Blocks, SpatialSoftArgmaxFindsAPeak) {
+  torch::Tensor x = torch::zeros({1, 2, 5, 5});
+  x[0][0][4][0] = 100.0F;  // last row, first column
+  const torch::Tensor points = SpatialSoftArgmax(x);
+  ASSERT_EQ(points.sizes(), (torch::IntArrayRef{1, 4}));
+  EXPECT_NEAR(points[0][0].item<float>(), 1.0F, 1e-4F);
+  EXPECT_NEAR(points[0][1].item<float>(), -1.0F, 1e-4F);
+  EXPECT_NEAR(points[0][2].item<float>(), 0.0F, 1e-5F);
+}
+
+TEST(Blocks, NoActionIsAZeroRow) {
+  const torch::Tensor rows = OneHot(torch::tensor({1, 3}), 3);
+  EXPECT_TRUE(rows.equal(torch::tensor({{0.0F, 1.0F, 0.0F}, {0.0F, 0.0F, 0.0F}})));
+}
+
+TEST(Blocks, DropoutIsAFunctionOfItsSeedAndOffInInference) {
+  const torch::Tensor x = torch::ones({1000});
+  SeedDropout(5);
+  const torch::Tensor a = Dropout(x, 0.25, true);
+  SeedDropout(5);
+  EXPECT_TRUE(Dropout(x, 0.25, true).equal(a));
+  EXPECT_FALSE(Dropout(x, 0.25, true).equal(a));
+  EXPECT_NEAR(a.mean().item<float>(), 1.0F, 0.1F);
+  EXPECT_TRUE(Dropout(x, 0.25, false).equal(x));
+}
+
+class WeightsTest : public ::testing::Test {
+ protected:
+  WeightsTest() : networks_(SmallConfig()) {
+    torch::manual_seed(3);
+    for (const auto& [name, module] : networks_.named()) {
+      if (name != "second_classifier") CollectTensors(name, *module, &tensors_);
+    }
+    metadata_ = {{"task", "made"},
+                 {"network", networks_.config},
+                 {"calibration", {{"refusal_threshold", 0.25}}}};
+    path_ = folder_ / "w.safetensors";
+    WriteWeights(path_, tensors_, metadata_);
+  }
+  std::string Bytes() const {
+    std::ifstream in(path_, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  }
+  void Put(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
+  void ExpectRefused(const std::string& reason) const {
+    try {
+      LoadTorchEngine(path_, 1);
+      FAIL() << "expected a refusal: " << reason;
+    } catch (const WeightsError& error) {
+      const std::string what = error.what();
+      EXPECT_NE(what.find("w.safetensors"), std::string::npos) << what;
+      EXPECT_NE(what.find(reason), std::string::npos) << what;
+    }
+  }
+  TestFolder folder_;
+  Networks networks_;
+  std::map<std::string, torch::Tensor> tensors_;
+  nlohmann::json metadata_;
+  std::string path_;
+};
+
+TEST_F(WeightsTest, ComeBackAsSixteenBitFloats) {
+  const WeightsFile file = ReadWeights(path_);
+  EXPECT_EQ(file.metadata, metadata_);
+  ASSERT_EQ(file.tensors.size(), tensors_.size());
+  for (const auto& [name, tensor] : tensors_) {
+    EXPECT_TRUE(file.tensors.at(name).equal(tensor.to(torch::kHalf))) << name;
+  }
+  EXPECT_EQ(file.hash, WeightsFileHash(path_));
+  EXPECT_FALSE(HasModule(file, "second_classifier"));
+  EXPECT_TRUE(HasModule(file, "classifier"));
+}
+
+TEST_F(WeightsTest, TruncatedFilesAreRefused) {
+  const std::string good = Bytes();
+  Put(good.substr(0, good.size() - 10));
+  ExpectRefused("truncated");
+  Put(good.substr(0, 100));
+  ExpectRefused("truncated");
+  Put(good.substr(0, 3));
+  ExpectRefused("too short");
+}
+
+TEST_F(WeightsTest, OtherFilesAreRefused) {
+  Put("this is no weights file at all, but it is long enough to have a header");
+  ExpectRefused("not a safetensors file");
+  Put(std::string("\x02\0\0\0\0\0\0\0{}", 10));
+  ExpectRefused("no metadata of ours");
+  std::filesystem::remove(path_);
+  ExpectRefused("cannot be opened");
+}
+
+TEST_F(WeightsTest, AMissingTensorOrAnotherShapeIsRefusedByName) {
+  auto some = tensors_;
+  some.erase("f.out.bias");
+  WriteWeights(path_, some, metadata_);
+  ExpectRefused("f.out.bias");
+  some = tensors_;
+  some["value.out.bias"] = torch::zeros({2});
+  WriteWeights(path_, some, metadata_);
+  ExpectRefused("value.out.bias");
+}
+
+TEST_F(WeightsTest, AConfigurationThatIsNotUnderstoodIsRefused) {
+  metadata_["network"]["heads"] = "other";
+  WriteWeights(path_, tensors_, metadata_);
+  ExpectRefused("configuration");
+}
+
+TEST_F(WeightsTest, ValuesThatSixteenBitsCannotHoldAreNotWritten) {
+  tensors_["f.out.bias"] = torch::full({1}, 1e6F);
+  EXPECT_THROW(WriteWeights(path_, tensors_, metadata_), WeightsError);
+}
+
+TEST_F(WeightsTest, DamagedHeadersNeverCrashTheReader) {
+  const std::string good = Bytes();
+  for (std::size_t at = 0; at < 6000; at += 41) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 0x15);
+    Put(bad);
+    try {
+      ReadWeights(path_);  // damage inside a name or a text may pass
+    } catch (const WeightsError&) {
+    }
+  }
+}
+
+class EngineTest : public WeightsTest {
+ protected:
+  EngineTest() : engine_(LoadTorchEngine(path_, 2)) {}
+  std::vector<std::uint8_t> Picture(int seed) const {
+    std::vector<std::uint8_t> picture(32 * 32 * 3);
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+      picture[i] = static_cast<std::uint8_t>(i * static_cast<std::size_t>(seed + 3) / 7);
+    }
+    return picture;
+  }
+  std::unique_ptr<Engine> engine_;
+};
+
+void ExpectSame(const Prediction& a, const Prediction& b) {
+  EXPECT_EQ(a.h, b.h);
+  EXPECT_EQ(a.value, b.value);
+  EXPECT_EQ(a.done, b.done);
+  EXPECT_EQ(a.q, b.q);
+  EXPECT_EQ(a.p, b.p);
+}
+
+TEST_F(EngineTest, SaysWhatItIs) {
+  EXPECT_EQ(engine_->info().task, "made");
+  EXPECT_EQ(engine_->info().num_actions, 3);
+  EXPECT_EQ(engine_->info().hidden_size, 8 * 4 * 4);
+  EXPECT_DOUBLE_EQ(engine_->info().refusal_threshold, 0.25);
+  EXPECT_EQ(engine_->weights_hash(), WeightsFileHash(path_));
+}
+
+TEST_F(EngineTest, ARowDoesNotDependOnItsBatchMatesOrThreads) {
+  std::vector<Hidden> states;
+  for (int i = 0; i < 9; ++i) states.push_back(engine_->Encode(Picture(i).data()));
+  std::vector<ExpandInput> rows;
+  for (int i = 0; i < 9; ++i) rows.push_back({states[0].data(), states[i].data(), i % 3});
+  const std::vector<Prediction> together = engine_->Expand(rows);
+  const auto alone = LoadTorchEngine(path_, 1);
+  ASSERT_EQ(together.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) ExpectSame(together[i], alone->Expand({rows[i]})[0]);
+  EXPECT_NE(together[0].h, together[1].h);
+  EXPECT_EQ(engine_->fingerprint(), alone->fingerprint());
+}
+
+TEST_F(EngineTest, AnswersAreThoseOfTheNetworks) {
+  const torch::NoGradGuard no_grad;
+  const WeightsFile file = ReadWeights(path_);
+  for (const auto& [name, module] : networks_.named()) {
+    if (HasModule(file, name)) LoadModule(file, path_, name, module);
+  }
+  networks_.SetTraining(false);
+  const auto picture = Picture(2);
+  const torch::Tensor x =
+      torch::tensor(std::vector<float>(picture.begin(), picture.end())).view({1, 32, 32, 3}) / 255.0;
+  const torch::Tensor h = networks_.encoder->forward(x.permute({0, 3, 1, 2}).contiguous());
+  const Hidden mine = engine_->Encode(picture.data());
+  EXPECT_LT((torch::tensor(mine) - h.flatten()).abs().max().item<float>(), 1e-5F);
+  const torch::Tensor next = networks_.transform->forward(h, h, torch::tensor({2}));
+  const Prediction answer = engine_->Expand({{mine.data(), mine.data(), 2}})[0];
+  EXPECT_LT((torch::tensor(answer.h) - next.flatten()).abs().max().item<float>(), 1e-5F);
+  EXPECT_NEAR(answer.value, torch::sigmoid(networks_.value->forward(next)).item<float>(), 1e-5F);
+  EXPECT_NEAR(answer.done,
+              torch::sigmoid(networks_.f->forward(h, next, torch::tensor({2}))).item<float>(), 1e-5F);
+}
+
+TEST_F(EngineTest, RootsAreDoneAndPicturesComeOut) {
+  const Hidden h = engine_->Encode(Picture(1).data());
+  const Prediction root = engine_->Evaluate(h.data(), h.data(), 3);
+  EXPECT_EQ(root.done, 1.0F);
+  EXPECT_TRUE(root.h.empty());
+  EXPECT_EQ(root.p.size(), 3U);
+  EXPECT_EQ(engine_->Decode({h, h}).at(1).size(), 32U * 32U * 3U);
+  EXPECT_EQ(engine_->Classify(Picture(1).data()).size(), 3U);
+  EXPECT_THROW(engine_->Expand({{h.data(), h.data(), 3}}), std::invalid_argument);
+  EXPECT_THROW(engine_->Evaluate(h.data(), h.data(), 4), std::invalid_argument);
+  EXPECT_THROW(engine_->Decode({Hidden(3)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace prospect::model

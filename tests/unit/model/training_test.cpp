@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "model/engine.h"
+#include "model/training/batches.h"
+#include "model/training/export.h"
+#include "model/training/picture_stages.h"
+#include "model/training/scores.h"
+#include "model/training/stage.h"
+#include "model/training/trainer.h"
+#include "model/weights.h"
+#include "tests/unit/model/made_trial.h"
+#include "tests/unit/model/test_folder.h"
+
+namespace prospect::model {
+namespace {
+
+constexpr int kTrials = 30;
+
+TrainConfig TinyConfig() {
+  TrainConfig config;
+  config.network.image_width = config.network.image_height = 32;
+  config.network.num_actions = 3;
+  config.mids_per_segment = 1;
+  config.checkpoint_seconds = 0;  // at every row of the curves
+  config.classifier = {10, 4, 1e-3};
+  config.encoder_decoder = {60, 4, 1e-3};
+  config.transform_hidden = {10, 4, 1e-3};
+  config.transform_image = {4, 4, 1e-3};
+  config.heads = {10, 4, 1e-3};
+  return config;
+}
+
+std::string Bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return std::string((std::istreambuf_iterator<char>(in)), {});
+}
+
+class TrainingTest : public ::testing::Test {
+ protected:
+  TrainingTest() {
+    std::vector<std::string> parts;
+    for (int seed = 0; seed < kTrials; ++seed) {
+      parts.push_back(folder_ / (std::to_string(seed) + ".h5"));
+      Trial trial = MadeTrial(static_cast<std::uint64_t>(seed), 2, seed % 3 == 0, 6, 32);
+      trial.image_noise = 0.01;
+      WriteTrialFile(parts.back(), trial);
+    }
+    PackTrialFiles(parts, folder_ / "all.h5");
+  }
+  TrainOptions Options(const std::string& out) const {
+    TrainOptions options;
+    options.task = "made";
+    options.data = folder_ / "all.h5";
+    options.folder = folder_ / out;
+    return options;
+  }
+  TestFolder folder_;
+};
+
+TEST_F(TrainingTest, AWholeRunGivesWeightsThatLoadAndIsSkippedTheSecondTime) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder.iterations = 5;
+  config.augment = "dihedral";
+  config.hidden_variants = 2;
+  config.done_weight = 0.1;
+  Trainer trainer(config, Options("run"));
+  trainer.Run();
+  RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores = ComputeScores(trainer.context(), trainer.file(), 2);
+  const std::string path = ExportWeights(trainer, scores);
+  EXPECT_EQ(LoadTorchEngine(path, 1)->info().task, "made");
+  EXPECT_TRUE(scores["pictures"]["x2"].contains("copy_mae_changed"));
+  EXPECT_GT(scores["pictures"]["x1"]["noise_floor"].get<double>(), 0.001);
+  EXPECT_EQ(scores["f"]["imagined"]["samples"], scores["value"]["imagined"]["samples"]);
+
+  const std::string first = Bytes(path);
+  const std::string curves = Bytes(folder_ / "run/curves.csv");
+  Trainer again(config, Options("run"));
+  again.Run();
+  RoundToHalf(again.context().networks);
+  ExportWeights(again, scores);
+  EXPECT_EQ(Bytes(path), first);
+  EXPECT_EQ(Bytes(folder_ / "run/curves.csv"), curves) << "nothing was trained again";
+
+  config.heads.iterations = 11;  // only the heads depend on it
+  Trainer changed(config, Options("run"));
+  changed.Run();
+  const std::string after = Bytes(folder_ / "run/curves.csv");
+  EXPECT_NE(after.find("heads,11,"), std::string::npos);
+  EXPECT_EQ(after.find("heads,10,"), std::string::npos);
+  EXPECT_NE(after.find("encoder-decoder,5,"), std::string::npos);
+}
+
+TEST_F(TrainingTest, AnotherTaskOrShapeIsRefused) {
+  TrainOptions options = Options("run");
+  options.task = "navigation";
+  EXPECT_THROW(Trainer(TinyConfig(), options), DataError);
+  TrainConfig config = TinyConfig();
+  config.network.num_actions = 4;
+  EXPECT_THROW(Trainer(config, Options("run")), DataError);
+  options = Options("run");
+  options.stages = {"everything"};
+  EXPECT_THROW(Trainer(TinyConfig(), options), std::invalid_argument);
+}
+
+/// Trains the encoder in `folder`, as if killed after `stop` iterations if that is not negative.
+class EncoderRun {
+ public:
+  EncoderRun(const TrainConfig& config, const std::string& data, const std::string& folder)
+      : file_(data),
+        samples_(ReadSamples(file_, config.mids_per_segment)),
+        pictures_(folder + ".pictures", file_, samples_, [](std::int64_t, std::int64_t) {}),
+        context_{config, samples_, pictures_, nullptr, MakeNetworks(config), torch::kCPU, {}} {
+    context_.mean_picture = pictures_.Mean(samples_.FramesOf(Split::kTrain));
+    run_.folder = folder;
+    run_.key = "key";
+    run_.checkpoint_seconds = 0;
+    stage_ = MakeEncoderDecoderStage(context_);
+  }
+  bool Run(std::int64_t stop) {
+    run_.stop_after = stop;
+    return RunStage(stage_.get(), run_);
+  }
+  StageRun& run() { return run_; }
+  torch::Tensor Weights() const {
+    std::vector<torch::Tensor> all;
+    for (const auto& [name, module] : stage_->modules()) {
+      for (const torch::Tensor& tensor : module->parameters()) all.push_back(tensor.detach().flatten());
+    }
+    return torch::cat(all).clone();
+  }
+
+ private:
+  static Networks MakeNetworks(const TrainConfig& config) {
+    torch::manual_seed(1);
+    return Networks(config.network);
+  }
+  TrialFile file_;
+  SampleSet samples_;
+  PictureCache pictures_;
+  TrainContext context_;
+  StageRun run_;
+  std::unique_ptr<Stage> stage_;
+};
+
+TEST_F(TrainingTest, AKilledRunContinuesToTheSameWeights) {
+  const TrainConfig config = TinyConfig();
+  EncoderRun whole(config, folder_ / "all.h5", folder_ / "whole");
+  EXPECT_TRUE(whole.Run(-1));
+  EncoderRun killed(config, folder_ / "all.h5", folder_ / "killed");
+  EXPECT_FALSE(killed.Run(40));  // the checkpoint is of iteration 25
+  EncoderRun resumed(config, folder_ / "all.h5", folder_ / "killed");
+  EXPECT_TRUE(resumed.Run(-1));
+  EXPECT_TRUE(resumed.Weights().equal(whole.Weights()));
+  EXPECT_EQ(Bytes(folder_ / "killed/curves.csv"), Bytes(folder_ / "whole/curves.csv"));
+}
+
+TEST_F(TrainingTest, ThreadsDoNotChangeTheResult) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder.iterations = 5;
+  EncoderRun two(config, folder_ / "all.h5", folder_ / "two");
+  two.Run(-1);
+  EncoderRun one(config, folder_ / "all.h5", folder_ / "one");
+  one.run().threads = 1;
+  one.Run(-1);
+  EXPECT_TRUE(one.Weights().equal(two.Weights()));
+}
+
+TEST_F(TrainingTest, ADamagedCheckpointStartsAnew) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder.iterations = 5;
+  std::filesystem::create_directories(folder_ / "run");
+  std::ofstream(folder_ / "run/stage-encoder-decoder.checkpoint") << "damaged";
+  EncoderRun run(config, folder_ / "all.h5", folder_ / "run");
+  EXPECT_TRUE(run.Run(-1));
+}
+
+TEST_F(TrainingTest, TheEncoderLearnsItsPictures) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder = {120, 8, 2e-3};
+  config.network.dropout = 0.0;
+  EncoderRun run(config, folder_ / "all.h5", folder_ / "run");
+  run.Run(-1);
+  std::ifstream curves(folder_ / "run/curves.csv");
+  std::string line;
+  double first = -1, last = -1;
+  while (std::getline(curves, line)) {
+    if (line.find(",l1,") == std::string::npos) continue;
+    last = std::stod(line.substr(line.rfind(',') + 1));
+    if (first < 0) first = last;
+  }
+  EXPECT_LT(last, 0.5 * first);
+  EXPECT_LT(last, 0.05);
+}
+
+}  // namespace
+}  // namespace prospect::model

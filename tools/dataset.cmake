@@ -1,0 +1,8 @@
+if(NOT TARGET prospect_dataset)
+  return()
+endif()
+find_package(CLI11 REQUIRED)
+find_package(PNG REQUIRED)
+add_executable(prospect-dataset ${CMAKE_CURRENT_SOURCE_DIR}/dataset.cpp)
+prospect_target(prospect-dataset)
+target_link_libraries(prospect-dataset PRIVATE prospect_dataset CLI11::CLI11 PNG::PNG)
