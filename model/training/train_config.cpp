@@ -29,10 +29,10 @@ TrainConfig Navigation() {
   c.hidden_variants = 2;
   c.focus = 8.0;
   c.classifier = {700, 16, 1e-3};
-  c.encoder_decoder = {4500, 16, 1.5e-3};
-  c.transform_hidden = {7000, 32, 1e-3};
-  c.transform_image = {300, 16, 3e-4};
-  c.heads = {3000, 32, 1e-3};
+  c.encoder_decoder = {3000, 16, 1.5e-3};
+  c.transform_hidden = {4500, 32, 1e-3};
+  c.transform_image = {150, 16, 3e-4};
+  c.heads = {2000, 32, 1e-3};
   c.linked_steps = 3;  // plans have three to five legs
   c.repeat_last = false;
   c.start_share = 0.8;  // the planner always looks between actions
