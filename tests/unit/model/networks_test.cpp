@@ -90,7 +90,7 @@ TEST(Blocks, UpBlockDoublesAndEachInputPixelReachesItsNeighboursOnly) {
   for (int r = 0; r < 12; ++r) {
     for (int c = 0; c < 12; ++c) {
       const bool near = std::abs(r / 2 - 2) <= 1 && std::abs(c / 2 - 3) <= 1;
-      if (!near) EXPECT_FALSE(touched[0][0][r][c].item<bool>()) << r << " " << c;
+      EXPECT_TRUE(near || !touched[0][0][r][c].item<bool>()) << r << " " << c;
     }
   }
 }
