@@ -1,8 +1,10 @@
 # Configures and builds a preset. The release preset builds its tests only once a test run has asked for them.
+# With PROSPECT_BUILD=FOLDER the programs of that build folder are used as they are.
 
 # build PRESET [tests]
 build() {
   local preset=$1 tests=${2:-} dir="$ROOT/build/$1" log="$ROOT/build/$1.log" configure=()
+  [ -n "${PROSPECT_BUILD:-}" ] && return 0
   mkdir -p "$ROOT/build"
   [ -n "$tests" ] && configure=(-DPROSPECT_TESTS=ON)
   [ ! -f "$dir/CMakeCache.txt" ] && [ -z "$tests" ] && configure=(-DPROSPECT_TESTS=OFF)
