@@ -30,7 +30,8 @@ class AtomicFile {
   const std::string& temporary() const { return temporary_; }
   void Commit() const {
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-      throw DataError(path_ + ": cannot be written (rename failed); check the folder's permissions");
+      throw DataError(path_ +
+                      ": cannot be written (rename failed); check the folder's permissions");
     }
   }
 
@@ -45,14 +46,14 @@ void WriteImages(hid_t demo, const Trial& trial, const std::string& file) {
   const hsize_t chunk[4] = {1, dims[1], dims[2], 3};
   hdf5::Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, "property list");
   hdf5::Check(H5Pset_chunk(plist, 4, chunk), file, "chunks");
-  hdf5::Check(H5Pset_deflate(plist, kDeflateLevel), file, "deflate is not available in this libhdf5");
+  hdf5::Check(H5Pset_deflate(plist, kDeflateLevel), file,
+              "deflate is not available in this libhdf5");
   hdf5::Handle space(H5Screate_simple(4, dims, nullptr), H5Sclose, file, "image space");
   hdf5::Handle set(
       H5Dcreate2(obs, kImageName, H5T_NATIVE_UINT8, space, H5P_DEFAULT, plist, H5P_DEFAULT),
       H5Dclose, file, "cannot create the images");
-  hdf5::Check(
-      H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, trial.images.data()), file,
-      "cannot write the images; is the disk full?");
+  hdf5::Check(H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, trial.images.data()),
+              file, "cannot write the images; is the disk full?");
 }
 
 void WriteAttributes(hid_t demo, const Trial& trial, const std::string& file) {
@@ -111,7 +112,8 @@ void WriteMasks(hid_t root, const std::vector<std::uint64_t>& seeds, const std::
 
 std::uint64_t SeedOfName(const std::string& name, const std::string& file) {
   const std::string prefix = "demo_";
-  const std::string digits = name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : "";
+  const std::string digits =
+      name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : "";
   if (digits.empty() || digits.size() > 9 ||
       digits.find_first_not_of("0123456789") != std::string::npos) {
     throw DataError(file + ": 'data/" + name + "' is not named demo_SEED; not a data set of ours");
@@ -174,7 +176,6 @@ Kind KindOf(hid_t demo, const std::string& file) {
           hdf5::GetInteger(demo, "width", file), hdf5::GetInteger(demo, "height", file),
           hdf5::GetInteger(demo, "num_actions", file)};
 }
-
 
 std::map<std::uint64_t, std::string> PartsBySeed(const std::vector<std::string>& parts) {
   std::map<std::uint64_t, std::string> by_seed;
@@ -367,7 +368,8 @@ bool IsWholeTrialFile(const std::string& path) {
 
 namespace {
 
-void Count(const Trial& trial, std::map<std::string, std::size_t>* causes, DataSetSummary* summary) {
+void Count(const Trial& trial, std::map<std::string, std::size_t>* causes,
+           DataSetSummary* summary) {
   ++summary->trials;
   summary->frames += trial.actions.size();
   summary->segments += trial.segment_succeeded.size();

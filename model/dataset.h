@@ -12,39 +12,42 @@
 ///
 ///   data                              attributes total (frames), env_args (JSON)
 ///   data/demo_SEED/obs/agentview_image  uint8 [N,H,W,3], one chunk a frame, deflate
-///   data/demo_SEED/actions            int32 [N,1], index into the action table, num_actions = none yet
-///   data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
+///   data/demo_SEED/actions            int32 [N,1], index into the action table, num_actions = none
+///   yet data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
 ///   data/demo_SEED/dones              uint8 [N]     present int32 [A]   segment_succeeded int8 [S]
 ///   data/demo_SEED                    attributes num_samples, seed, task, outcome, reason, ...
 ///   mask/train, mask/valid, mask/test names of the trials of each part
 ///
-/// A collector writes one file a trial (an HDF5 file whose writer was killed does not open), and packs the
-/// whole ones into one data set. libhdf5 is not thread-safe: use these functions from one thread of a
-/// process at a time; several processes may read one file, and write different ones.
+/// A collector writes one file a trial (an HDF5 file whose writer was killed does not open), and
+/// packs the whole ones into one data set. libhdf5 is not thread-safe: use these functions from one
+/// thread of a process at a time; several processes may read one file, and write different ones.
 namespace prospect::model {
 
-/// A data file that is missing, damaged, not ours, or a trial that breaks the rules. The message names the
-/// file and says what to do.
+/// A data file that is missing, damaged, not ours, or a trial that breaks the rules. The message
+/// names the file and says what to do.
 class DataError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a file that holds this one trial. Atomic: it is written under another name in the same folder and
-/// renamed when whole, so a file of that name is always complete. An existing file is replaced.
-/// Throws DataError if the trial is not valid (see ValidateTrial) or the file cannot be written.
+/// Writes a file that holds this one trial. Atomic: it is written under another name in the same
+/// folder and renamed when whole, so a file of that name is always complete. An existing file is
+/// replaced. Throws DataError if the trial is not valid (see ValidateTrial) or the file cannot be
+/// written.
 void WriteTrialFile(const std::string& path, const Trial& trial);
 
-/// Joins files (each of one or more trials) into the data set `out`, in the order of their seeds, and
-/// writes the masks. Image chunks are copied without being unpacked. Atomic as WriteTrialFile.
-/// Returns the number of trials. Throws DataError on a damaged part, on a seed that comes twice, on seeds
-/// outside the collection range, or on trials of different tasks or image sizes.
+/// Joins files (each of one or more trials) into the data set `out`, in the order of their seeds,
+/// and writes the masks. Image chunks are copied without being unpacked. Atomic as WriteTrialFile.
+/// Returns the number of trials. Throws DataError on a damaged part, on a seed that comes twice, on
+/// seeds outside the collection range, or on trials of different tasks or image sizes.
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out);
 
-/// True if `path` is a whole trial file or data set that opens; never throws. For restartable collectors.
+/// True if `path` is a whole trial file or data set that opens; never throws. For restartable
+/// collectors.
 bool IsWholeTrialFile(const std::string& path);
 
-/// Reads a data set, or a file of one trial. Movable, not copyable; holds the file open. Not thread-safe.
+/// Reads a data set, or a file of one trial. Movable, not copyable; holds the file open. Not
+/// thread-safe.
 class TrialFile {
  public:
   /// Opens `path` read-only. Throws DataError.
@@ -65,8 +68,8 @@ class TrialFile {
   /// (frames.size() x height x width x 3 bytes). Throws DataError, also on a frame out of range.
   void ReadFrames(std::size_t i, const std::vector<int>& frames, std::uint8_t* out) const;
 
-  /// A hash of what the file holds as far as training depends on it: seeds, labels, attributes and image
-  /// sizes (not the pixels themselves, which would take minutes). Hexadecimal text.
+  /// A hash of what the file holds as far as training depends on it: seeds, labels, attributes and
+  /// image sizes (not the pixels themselves, which would take minutes). Hexadecimal text.
   std::string ContentHash() const;
 
  private:

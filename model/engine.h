@@ -10,7 +10,8 @@ namespace prospect::model {
 /// A hidden state, EngineInfo::hidden_size floats. Only engines know what is in it.
 using Hidden = std::vector<float>;
 
-/// One question: what would `action` do from `h`? The states are not owned and must live through the call.
+/// One question: what would `action` do from `h`? The states are not owned and must live through
+/// the call.
 struct ExpandInput {
   const float* h0 = nullptr;  ///< hidden_size floats: the problem's first picture, encoded
   const float* h = nullptr;   ///< hidden_size floats: the state the action starts from
@@ -28,8 +29,8 @@ struct Prediction {
 
 /// What an engine was made for.
 struct EngineInfo {
-  std::string engine;  ///< "torch", "scripted", ...
-  std::string task;    ///< e.g. "navigation"
+  std::string engine;     ///< "torch", "scripted", ...
+  std::string task;       ///< e.g. "navigation"
   std::string task_hash;  ///< hash of the action table it was trained with, as text; may be empty
   int num_actions = 0;    ///< num_actions itself stands for "no action yet"
   int image_width = 0, image_height = 0;
@@ -37,11 +38,12 @@ struct EngineInfo {
   double refusal_threshold = 0;  ///< calibration: plans that score below it are to be refused
 };
 
-/// The learned models as the rest of the system uses them: the paper's f_enc, f_dec, T, V, Q, p, f, C.
+/// The learned models as the rest of the system uses them: the paper's f_enc, f_dec, T, V, Q, p, f,
+/// C.
 ///
-/// Answers are pure functions of one row's input: they do not depend on what else is asked in the same call,
-/// before it, or by how many threads. Methods may be called from several threads; they wait for each other.
-/// Inputs of a wrong size or action throw std::invalid_argument.
+/// Answers are pure functions of one row's input: they do not depend on what else is asked in the
+/// same call, before it, or by how many threads. Methods may be called from several threads; they
+/// wait for each other. Inputs of a wrong size or action throw std::invalid_argument.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -49,8 +51,8 @@ class Engine {
   /// f_enc: a picture, image_height x image_width x 3 bytes RGB row major, to its hidden state.
   virtual Hidden Encode(const std::uint8_t* rgb) = 0;
 
-  /// V, Q and p of a state that was reached by really carrying out `previous_action` (num_actions = none yet).
-  /// `done` is 1 and `h` empty.
+  /// V, Q and p of a state that was reached by really carrying out `previous_action` (num_actions =
+  /// none yet). `done` is 1 and `h` empty.
   virtual Prediction Evaluate(const float* h0, const float* h, int previous_action) = 0;
 
   /// For each row: h' = T(h0, h, a), then V(h'), f(h0, h', a), Q(h0, h', a, .), p(. | h0, h', a).
@@ -59,8 +61,8 @@ class Engine {
   /// f_dec: pictures of states, each image_height x image_width x 3 bytes RGB.
   virtual std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) = 0;
 
-  /// C: for a picture, the probability of each action that this is the action's goal. Empty if the weights hold
-  /// no classifier.
+  /// C: for a picture, the probability of each action that this is the action's goal. Empty if the
+  /// weights hold no classifier.
   virtual std::vector<float> Classify(const std::uint8_t* rgb) = 0;
 
   virtual const EngineInfo& info() const = 0;
@@ -68,14 +70,14 @@ class Engine {
   /// Hash of the weights file's bytes: equal hash, equal networks.
   virtual std::uint64_t weights_hash() const = 0;
 
-  /// Hash of the answers to a fixed question. Equal weights on different machines may give different last
-  /// bits; engines of equal fingerprint may be mixed in one search.
+  /// Hash of the answers to a fixed question. Equal weights on different machines may give
+  /// different last bits; engines of equal fingerprint may be mixed in one search.
   virtual std::uint64_t fingerprint() const = 0;
 };
 
-/// Loads a weights file (model/weights.h) for libtorch on the CPU; rows are spread over `threads` threads (at least
-/// 1), each row on one. Throws WeightsError
-/// (model/weights_error.h) naming file and reason.
+/// Loads a weights file (model/weights.h) for libtorch on the CPU; rows are spread over `threads`
+/// threads (at least 1), each row on one. Throws WeightsError (model/weights_error.h) naming file
+/// and reason.
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads);
 
 }  // namespace prospect::model

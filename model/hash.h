@@ -14,7 +14,8 @@ inline std::uint64_t Mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// FNV-1a over bytes, 64 bits, continued from `state`. For names and files, not against an adversary.
+/// FNV-1a over bytes, 64 bits, continued from `state`. For names and files, not against an
+/// adversary.
 inline std::uint64_t HashBytes(const void* data, std::size_t n,
                                std::uint64_t state = 0xcbf29ce484222325ULL) {
   const auto* bytes = static_cast<const unsigned char*>(data);

@@ -12,13 +12,21 @@ constexpr std::size_t kLongestText = 1 << 20;  // an attribute longer than this 
 template <typename T>
 hid_t NativeType();
 template <>
-hid_t NativeType<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+hid_t NativeType<std::uint8_t>() {
+  return H5T_NATIVE_UINT8;
+}
 template <>
-hid_t NativeType<std::int8_t>() { return H5T_NATIVE_INT8; }
+hid_t NativeType<std::int8_t>() {
+  return H5T_NATIVE_INT8;
+}
 template <>
-hid_t NativeType<int>() { return H5T_NATIVE_INT32; }
+hid_t NativeType<int>() {
+  return H5T_NATIVE_INT32;
+}
 template <>
-hid_t NativeType<float>() { return H5T_NATIVE_FLOAT; }
+hid_t NativeType<float>() {
+  return H5T_NATIVE_FLOAT;
+}
 
 [[noreturn]] void Fail(const std::string& file, const std::string& what) {
   throw DataError(file + ": " + what);
@@ -27,12 +35,14 @@ hid_t NativeType<float>() { return H5T_NATIVE_FLOAT; }
 std::size_t CheckedCount(hid_t space, const std::vector<hsize_t>& dims, const std::string& name,
                          const std::string& file) {
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank != static_cast<int>(dims.size())) Fail(file, "'" + name + "' has the wrong rank; damaged");
+  if (rank != static_cast<int>(dims.size()))
+    Fail(file, "'" + name + "' has the wrong rank; damaged");
   std::vector<hsize_t> found(dims.size());
   H5Sget_simple_extent_dims(space, found.data(), nullptr);
   std::size_t count = 1;
   for (std::size_t i = 0; i < dims.size(); ++i) {
-    if (dims[i] > 0 && found[i] != dims[i]) Fail(file, "'" + name + "' has the wrong size; damaged");
+    if (dims[i] > 0 && found[i] != dims[i])
+      Fail(file, "'" + name + "' has the wrong size; damaged");
     count *= found[i];
   }
   return count;
@@ -48,8 +58,8 @@ Handle TextType(std::size_t size, const std::string& file) {
 void SetAttribute(hid_t object, const std::string& name, hid_t type, const void* value,
                   const std::string& file) {
   Handle space(H5Screate(H5S_SCALAR), H5Sclose, file, "scalar space");
-  Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                   file, "cannot create attribute '" + name + "'");
+  Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Aclose, file, "cannot create attribute '" + name + "'");
   Check(H5Awrite(attribute, type, value), file, "cannot write attribute '" + name + "'");
 }
 
@@ -99,9 +109,10 @@ void Check(herr_t status, const std::string& file, const std::string& what) {
 
 Handle OpenFile(const std::string& path) {
   Quiet();
-  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path,
-                "does not open as an HDF5 file: it is missing, not ours, or was cut off while being "
-                "written; collect or pack it again");
+  return Handle(
+      H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path,
+      "does not open as an HDF5 file: it is missing, not ours, or was cut off while being "
+      "written; collect or pack it again");
 }
 
 Handle CreateFile(const std::string& path) {
@@ -134,8 +145,8 @@ std::vector<std::string> LinkNames(hid_t group, const std::string& file) {
 template <typename T>
 void Write(hid_t group, const std::string& name, const std::vector<T>& values,
            const std::vector<hsize_t>& dims, const std::string& file) {
-  Handle space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose, file,
-               "space of '" + name + "'");
+  Handle space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose,
+               file, "space of '" + name + "'");
   Handle set(H5Dcreate2(group, name.c_str(), NativeType<T>(), space, H5P_DEFAULT, H5P_DEFAULT,
                         H5P_DEFAULT),
              H5Dclose, file, "cannot create '" + name + "'");
@@ -163,8 +174,8 @@ template void Write(hid_t, const std::string&, const std::vector<std::int8_t>&,
                     const std::vector<hsize_t>&, const std::string&);
 template void Write(hid_t, const std::string&, const std::vector<int>&, const std::vector<hsize_t>&,
                     const std::string&);
-template void Write(hid_t, const std::string&, const std::vector<float>&, const std::vector<hsize_t>&,
-                    const std::string&);
+template void Write(hid_t, const std::string&, const std::vector<float>&,
+                    const std::vector<hsize_t>&, const std::string&);
 template std::vector<std::uint8_t> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
                                         const std::string&);
 template std::vector<std::int8_t> Read(hid_t, const std::string&, const std::vector<hsize_t>&,
@@ -200,7 +211,8 @@ void SetNumber(hid_t object, const std::string& name, double value, const std::s
   SetAttribute(object, name, H5T_NATIVE_DOUBLE, &value, file);
 }
 
-void SetInteger(hid_t object, const std::string& name, std::int64_t value, const std::string& file) {
+void SetInteger(hid_t object, const std::string& name, std::int64_t value,
+                const std::string& file) {
   SetAttribute(object, name, H5T_NATIVE_INT64, &value, file);
 }
 

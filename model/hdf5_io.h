@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-/// A thin layer over libhdf5's C interface for model/dataset.cpp: handles that close themselves, and reads
-/// and writes that throw DataError naming the file. Not part of the room's public interface.
+/// A thin layer over libhdf5's C interface for model/dataset.cpp: handles that close themselves,
+/// and reads and writes that throw DataError naming the file. Not part of the room's public
+/// interface.
 namespace prospect::model::hdf5 {
 
 /// Owns one libhdf5 identifier. Movable, not copyable.
@@ -38,8 +39,8 @@ Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file)
 /// Names of the links in a group, in the order of names.
 std::vector<std::string> LinkNames(hid_t group, const std::string& file);
 
-/// Whole data sets of a native type. Reads check that the number of dimensions is `dims.size()` and, where
-/// dims[i] > 0, that extent i equals it.
+/// Whole data sets of a native type. Reads check that the number of dimensions is `dims.size()`
+/// and, where dims[i] > 0, that extent i equals it.
 template <typename T>
 void Write(hid_t group, const std::string& name, const std::vector<T>& values,
            const std::vector<hsize_t>& dims, const std::string& file);

@@ -7,8 +7,8 @@
 
 namespace prospect::model {
 
-/// Reads named fields of one JSON object into variables and refuses names it was not asked for, so that a
-/// misspelt option is an error and not a default.
+/// Reads named fields of one JSON object into variables and refuses names it was not asked for, so
+/// that a misspelt option is an error and not a default.
 class JsonFields {
  public:
   /// `where` names the object in messages, e.g. "network".

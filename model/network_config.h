@@ -5,20 +5,24 @@
 
 namespace prospect::model {
 
-/// Everything the shapes and layers of the networks depend on: one struct for all tasks, stored with the
-/// weights. The defaults are the paper's text (§III-A, III-B); where the text is silent, the authors' code.
-/// A plain value.
+/// Everything the shapes and layers of the networks depend on: one struct for all tasks, stored
+/// with the weights. The defaults are the paper's text (§III-A, III-B); where the text is silent,
+/// the authors' code. A plain value.
 struct NetworkConfig {
   int image_width = 64;     ///< pixels, a multiple of 16, at least 32
   int image_height = 64;    ///< pixels, a multiple of 16, at least 32
   int hidden_channels = 8;  ///< channels of h; its grid is the image's divided by 8
   int num_actions = 7;      ///< size of the action table; the null action is index num_actions
-  double dropout = 0.1;     ///< after blocks of encoder, decoder, transform (paper), and in C's convolutions
-  double head_dropout = 0.5;    ///< in V, Q, p, f and C's dense layers (authors' code; paper silent)
-  std::string activation = "relu";  ///< encoder and T's action layer: "relu" (paper) or "leaky_relu" (code)
-  std::string heads = "paper";      ///< Q, p, f: "paper" (1x1 convolutions, FC256-FC128) or "costar" (4x4, 128-128)
-  bool skip = true;                 ///< T's connection across the spatial soft argmax
-  int transform_extra_stages = 0;   ///< T's extra stages of 64 channels with their own skip (suturing: 1)
+  double dropout =
+      0.1;  ///< after blocks of encoder, decoder, transform (paper), and in C's convolutions
+  double head_dropout = 0.5;  ///< in V, Q, p, f and C's dense layers (authors' code; paper silent)
+  std::string activation =
+      "relu";  ///< encoder and T's action layer: "relu" (paper) or "leaky_relu" (code)
+  std::string heads =
+      "paper";  ///< Q, p, f: "paper" (1x1 convolutions, FC256-FC128) or "costar" (4x4, 128-128)
+  bool skip = true;  ///< T's connection across the spatial soft argmax
+  int transform_extra_stages =
+      0;  ///< T's extra stages of 64 channels with their own skip (suturing: 1)
 
   int hidden_height() const { return image_height / 8; }
   int hidden_width() const { return image_width / 8; }

@@ -10,8 +10,9 @@
 
 namespace prospect::model {
 
-/// Threads that stay, for work that comes in rows: each row is computed whole by one thread, so its result
-/// does not depend on how many threads or other rows there are. Run may be called by one thread at a time.
+/// Threads that stay, for work that comes in rows: each row is computed whole by one thread, so its
+/// result does not depend on how many threads or other rows there are. Run may be called by one
+/// thread at a time.
 class RowPool {
  public:
   /// `threads` in all, the caller's own included; `start` is called once in each of the others.
@@ -20,7 +21,8 @@ class RowPool {
   RowPool(const RowPool&) = delete;
   RowPool& operator=(const RowPool&) = delete;
 
-  /// Calls row(0) .. row(rows-1), in any order, and returns when all are done; the first exception is rethrown.
+  /// Calls row(0) .. row(rows-1), in any order, and returns when all are done; the first exception
+  /// is rethrown.
   void Run(std::size_t rows, const std::function<void(std::size_t)>& row);
 
  private:

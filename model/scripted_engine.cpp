@@ -8,7 +8,7 @@
 namespace prospect::model {
 namespace {
 
-constexpr int kHiddenSize = 4;               // a 64-bit state as four 16-bit numbers, exact in floats
+constexpr int kHiddenSize = 4;  // a 64-bit state as four 16-bit numbers, exact in floats
 constexpr std::uint64_t kRootState = 0x5ce1;
 
 Hidden Pack(std::uint64_t state) {

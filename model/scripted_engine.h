@@ -15,10 +15,11 @@ struct ScriptedOptions {
   double refusal_threshold = 0.0;
 };
 
-/// An engine without networks, for tests of everything around them: a hidden state is a hash of the actions
-/// since the root, and every answer a pure function of it. A child of one parent differs from its sibling;
-/// some actions fail; equal paths give equal answers in every process. The picture's content does not matter,
-/// only that x0 is one: all roots are the same state, so that sensor noise changes nothing. Thread-safe.
+/// An engine without networks, for tests of everything around them: a hidden state is a hash of the
+/// actions since the root, and every answer a pure function of it. A child of one parent differs
+/// from its sibling; some actions fail; equal paths give equal answers in every process. The
+/// picture's content does not matter, only that x0 is one: all roots are the same state, so that
+/// sensor noise changes nothing. Thread-safe.
 class ScriptedEngine : public Engine {
  public:
   explicit ScriptedEngine(const ScriptedOptions& options = {});

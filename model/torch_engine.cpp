@@ -22,7 +22,8 @@ NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
   try {
     file.metadata.at("network").get_to(config);
   } catch (const std::exception& error) {
-    throw WeightsError(path + ": its network configuration is not understood (" + error.what() + ")");
+    throw WeightsError(path + ": its network configuration is not understood (" + error.what() +
+                       ")");
   }
   return config;
 }
@@ -90,7 +91,8 @@ class TorchEngine : public Engine {
       const torch::Tensor x = networks_.decoder->forward(State(states[i].data()));
       const torch::Tensor bytes =
           x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
-      pictures[i].assign(bytes.data_ptr<std::uint8_t>(), bytes.data_ptr<std::uint8_t>() + bytes.numel());
+      pictures[i].assign(bytes.data_ptr<std::uint8_t>(),
+                         bytes.data_ptr<std::uint8_t>() + bytes.numel());
     });
     return pictures;
   }
@@ -128,8 +130,8 @@ class TorchEngine : public Engine {
 
   torch::Tensor Picture(const std::uint8_t* rgb) const {
     const torch::Tensor raw =
-        torch::from_blob(const_cast<std::uint8_t*>(rgb), {1, info_.image_height, info_.image_width, 3},
-                         torch::kUInt8);
+        torch::from_blob(const_cast<std::uint8_t*>(rgb),
+                         {1, info_.image_height, info_.image_width, 3}, torch::kUInt8);
     return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F);
   }
 
@@ -152,8 +154,7 @@ class TorchEngine : public Engine {
     const torch::Tensor a = torch::full({1}, action, torch::kLong);
     Prediction answer;
     answer.value = torch::sigmoid(networks_.value->forward(h)).item<float>();
-    answer.done =
-        imagined ? torch::sigmoid(networks_.f->forward(h0, h, a)).item<float>() : 1.0F;
+    answer.done = imagined ? torch::sigmoid(networks_.f->forward(h0, h, a)).item<float>() : 1.0F;
     answer.q = ToVector(torch::sigmoid(networks_.q->forward(h0, h, a)));
     answer.p = ToVector(torch::sigmoid(networks_.p->forward(h0, h, a)));
     return answer;
@@ -162,7 +163,8 @@ class TorchEngine : public Engine {
   /// The fixed question of fingerprint(): a gradient picture, the first action.
   std::uint64_t Probe() {
     std::vector<std::uint8_t> picture(static_cast<std::size_t>(networks_.config.image_bytes()));
-    for (std::size_t i = 0; i < picture.size(); ++i) picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
+    for (std::size_t i = 0; i < picture.size(); ++i)
+      picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
     const Hidden h0 = Encode(picture.data());
     const Prediction answer = Expand({{h0.data(), h0.data(), 0}}).front();
     std::uint64_t hash = HashBytes(answer.h.data(), answer.h.size() * sizeof(float));

@@ -8,7 +8,8 @@
 namespace prospect::model {
 namespace {
 
-constexpr std::uint64_t kSplitSalt = 0x70726f7370656374ULL;  // fixed for ever: it decides the test set
+constexpr std::uint64_t kSplitSalt =
+    0x70726f7370656374ULL;  // fixed for ever: it decides the test set
 
 void Require(bool holds, const Trial& trial, const std::string& rule) {
   if (!holds) throw DataError("trial of seed " + std::to_string(trial.seed) + ": " + rule);
@@ -34,7 +35,8 @@ void RequireFrame(const Trial& t, int i) {
   Require((segment < 0) == (t.actions[i] == t.null_action()), t,
           "the null action belongs to the frames before the first segment and only to them");
   Require(t.actions[i] >= 0 && t.actions[i] <= t.num_actions, t, "action out of range");
-  Require(t.prev_action[i] >= 0 && t.prev_action[i] <= t.num_actions, t, "prev_action out of range");
+  Require(t.prev_action[i] >= 0 && t.prev_action[i] <= t.num_actions, t,
+          "prev_action out of range");
   Require(segment != previous || i == 0 || t.actions[i] == t.actions[i - 1], t,
           "the action changed inside a segment");
 }

@@ -6,13 +6,13 @@
 
 namespace prospect::model {
 
-/// Seeds of collected trials (DESIGN §5): everything above is kept for tuning, calibration and reported
-/// figures, so a trial whose seed lies outside may not enter a data set.
+/// Seeds of collected trials (DESIGN §5): everything above is kept for tuning, calibration and
+/// reported figures, so a trial whose seed lies outside may not enter a data set.
 inline constexpr std::uint64_t kFirstCollectionSeed = 0;
 inline constexpr std::uint64_t kLastCollectionSeed = 999'999;
 
-/// The part of a data set that a trial belongs to. It is a fixed function of the trial's seed, so a trial
-/// never moves from one part to another when a data set grows or is packed anew.
+/// The part of a data set that a trial belongs to. It is a fixed function of the trial's seed, so a
+/// trial never moves from one part to another when a data set grows or is packed anew.
 enum class Split { kTrain, kValid, kTest };
 
 /// A tenth of the seeds is test, a tenth validation, the rest training (by a hash of the seed).
@@ -21,21 +21,23 @@ Split SplitOf(std::uint64_t seed);
 /// "train", "valid" or "test".
 const char* SplitName(Split split);
 
-/// One recorded trial of a task: what was seen at 10 Hz (or the task's own tick) and what was being done.
+/// One recorded trial of a task: what was seen at 10 Hz (or the task's own tick) and what was being
+/// done.
 ///
 /// A plain value without threads or ownership rules. `frames()` = N is the number of images; every
 /// per-frame vector has N entries. Segments are the stretches during which one action ran; they are
-/// numbered from 0. Frames before the first action carry the null action (== num_actions) and segment -1.
-/// The frame on which segment k+1 begins is the frame that met the end condition of segment k; the last
-/// frame of the trial ends the last segment. Images are clean: sensor noise is a function of (seed, frame)
-/// and is added by whoever reads them (sim/sensor_noise.h), because clean images compress ten times better.
+/// numbered from 0. Frames before the first action carry the null action (== num_actions) and
+/// segment -1. The frame on which segment k+1 begins is the frame that met the end condition of
+/// segment k; the last frame of the trial ends the last segment. Images are clean: sensor noise is
+/// a function of (seed, frame) and is added by whoever reads them (sim/sensor_noise.h), because
+/// clean images compress ten times better.
 struct Trial {
-  std::uint64_t seed = 0;     ///< the scene and its noise; kFirstCollectionSeed..kLastCollectionSeed
-  std::string task;           ///< "navigation", ...
-  std::string outcome;        ///< "success" or "failure"
-  std::string reason;         ///< why it failed, e.g. "time" or "collision(barrel)"; empty on success
-  int width = 0;              ///< pixels
-  int height = 0;             ///< pixels
+  std::uint64_t seed = 0;  ///< the scene and its noise; kFirstCollectionSeed..kLastCollectionSeed
+  std::string task;        ///< "navigation", ...
+  std::string outcome;     ///< "success" or "failure"
+  std::string reason;      ///< why it failed, e.g. "time" or "collision(barrel)"; empty on success
+  int width = 0;           ///< pixels
+  int height = 0;          ///< pixels
   double tick_seconds = 0.1;  ///< simulated seconds between frames
   double image_noise = 0.0;   ///< sigma of the sensor noise to add, as a share of full range (255)
   double light = 1.0;         ///< factor on the light, drawn once a trial; already in the images
@@ -47,12 +49,14 @@ struct Trial {
   std::vector<float> rewards;        ///< per frame; the outcome is paid on the last one
   std::vector<std::uint8_t> dones;   ///< 1 on the trial's last frame, else 0
 
-  std::vector<int> present;  ///< per action 0 or 1: may the scene offer it (its object stands on site)
-  int num_actions = 0;       ///< size of the task's action table
-  int plan_length = 0;       ///< actions in a complete plan of this trial
+  std::vector<int>
+      present;          ///< per action 0 or 1: may the scene offer it (its object stands on site)
+  int num_actions = 0;  ///< size of the task's action table
+  int plan_length = 0;  ///< actions in a complete plan of this trial
   std::string world_version;
-  std::string task_hash;                       ///< hash of the task's action table, as text
-  std::vector<std::int8_t> segment_succeeded;  ///< per segment 1 if it met its end condition, else 0
+  std::string task_hash;  ///< hash of the task's action table, as text
+  std::vector<std::int8_t>
+      segment_succeeded;  ///< per segment 1 if it met its end condition, else 0
 
   int frames() const { return static_cast<int>(actions.size()); }
   int segments() const { return static_cast<int>(segment_succeeded.size()); }
@@ -63,8 +67,8 @@ struct Trial {
   const std::uint8_t* frame(int i) const { return images.data() + i * frame_bytes(); }
 };
 
-/// Checks every rule above (sizes, ranges, order of segments); `with_images` false skips the image bytes.
-/// Throws DataError (model/dataset.h) naming the seed and the rule that is broken.
+/// Checks every rule above (sizes, ranges, order of segments); `with_images` false skips the image
+/// bytes. Throws DataError (model/dataset.h) naming the seed and the rule that is broken.
 void ValidateTrial(const Trial& trial, bool with_images = true);
 
 }  // namespace prospect::model

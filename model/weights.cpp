@@ -45,7 +45,8 @@ std::uint64_t HeaderLength(const std::string& path, const std::string& bytes) {
 json ParseHeader(const std::string& path, const std::string& bytes, std::uint64_t length) {
   const json header = json::parse(bytes.begin() + 8, bytes.begin() + 8 + static_cast<long>(length),
                                   nullptr, /*allow_exceptions=*/false);
-  if (!header.is_object()) Refuse(path, "its header is not JSON; damaged, or not a safetensors file");
+  if (!header.is_object())
+    Refuse(path, "its header is not JSON; damaged, or not a safetensors file");
   return header;
 }
 
@@ -93,8 +94,9 @@ Entry EntryOf(const std::string& path, const std::string& name, const json& item
 }
 
 void RequireNoGaps(const std::string& path, std::vector<Place> places, std::size_t data_bytes) {
-  std::sort(places.begin(), places.end(),
-            [](const Place& a, const Place& b) { return a.begin < b.begin || (a.begin == b.begin && a.end < b.end); });
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return a.begin < b.begin || (a.begin == b.begin && a.end < b.end);
+  });
   std::size_t at = 0;
   for (const Place& place : places) {
     if (place.begin != at) Refuse(path, "tensors overlap or leave gaps; damaged");
@@ -119,10 +121,12 @@ std::string LittleEndian(std::uint64_t value) {
   return bytes;
 }
 
-torch::Tensor ToHalf(const std::string& path, const std::string& name, const torch::Tensor& tensor) {
+torch::Tensor ToHalf(const std::string& path, const std::string& name,
+                     const torch::Tensor& tensor) {
   const torch::Tensor half = tensor.detach().to(torch::kCPU).to(torch::kHalf).contiguous();
   if (!torch::isfinite(half.to(torch::kFloat)).all().item<bool>()) {
-    Refuse(path, "tensor '" + name + "' has values that 16-bit floats cannot hold; did training diverge?");
+    Refuse(path, "tensor '" + name +
+                     "' has values that 16-bit floats cannot hold; did training diverge?");
   }
   return half;
 }
@@ -173,7 +177,8 @@ void WriteWeights(const std::string& path, const std::map<std::string, torch::Te
     const torch::Tensor half = ToHalf(path, name, tensor);
     const std::size_t begin = data.size();
     data.append(static_cast<const char*>(half.data_ptr()), half.nbytes());
-    header[name] = {{"dtype", "F16"}, {"shape", half.sizes().vec()}, {"data_offsets", {begin, data.size()}}};
+    header[name] = {
+        {"dtype", "F16"}, {"shape", half.sizes().vec()}, {"data_offsets", {begin, data.size()}}};
   }
   std::string text = header.dump();
   text.resize((text.size() + 7) / 8 * 8, ' ');  // the format aligns the data to 8 bytes
@@ -213,7 +218,8 @@ void LoadModule(const std::string& path, const std::string& prefix, torch::nn::M
 
 bool HasModule(const WeightsFile& file, const std::string& prefix) {
   const auto found = file.tensors.lower_bound(prefix + ".");
-  return found != file.tensors.end() && found->first.compare(0, prefix.size() + 1, prefix + ".") == 0;
+  return found != file.tensors.end() &&
+         found->first.compare(0, prefix.size() + 1, prefix + ".") == 0;
 }
 
 }  // namespace prospect::model

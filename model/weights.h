@@ -10,10 +10,11 @@
 #include "model/networks/networks.h"
 #include "model/weights_error.h"
 
-/// Weights files: the safetensors format (8 bytes little-endian header length, a JSON header that names each
-/// tensor's type, shape and place, the data), tensors stored as 16-bit floats. Metadata is one text entry
-/// "prospect", a JSON object: format, task, task_hash, world_version, network (NetworkConfig), train (TrainConfig),
-/// data_hash, code_version, scores, calibration. Functions are thread-safe.
+/// Weights files: the safetensors format (8 bytes little-endian header length, a JSON header that
+/// names each tensor's type, shape and place, the data), tensors stored as 16-bit floats. Metadata
+/// is one text entry "prospect", a JSON object: format, task, task_hash, world_version, network
+/// (NetworkConfig), train (TrainConfig), data_hash, code_version, scores, calibration. Functions
+/// are thread-safe.
 namespace prospect::model {
 
 /// A weights file in memory: tensors by name (as stored, 16-bit or 32-bit floats, on the CPU).
@@ -23,12 +24,12 @@ struct WeightsFile {
   std::uint64_t hash = 0;   ///< FNV-1a of all bytes of the file
 };
 
-/// Reads and checks a file: sizes, types, places without gaps or overlaps, a header of at most 16 MB.
-/// Throws WeightsError.
+/// Reads and checks a file: sizes, types, places without gaps or overlaps, a header of at most 16
+/// MB. Throws WeightsError.
 WeightsFile ReadWeights(const std::string& path);
 
-/// Writes tensors as 16-bit floats, atomically (temporary name, then renamed). Throws WeightsError if it cannot, or
-/// if a value does not fit 16 bits.
+/// Writes tensors as 16-bit floats, atomically (temporary name, then renamed). Throws WeightsError
+/// if it cannot, or if a value does not fit 16 bits.
 void WriteWeights(const std::string& path, const std::map<std::string, torch::Tensor>& tensors,
                   const nlohmann::json& metadata);
 
@@ -39,8 +40,8 @@ std::uint64_t WeightsFileHash(const std::string& path);
 void CollectTensors(const std::string& prefix, const torch::nn::Module& module,
                     std::map<std::string, torch::Tensor>* tensors);
 
-/// Copies the tensors "prefix.*" into `module` (any float type on any device). Throws WeightsError naming `path`
-/// if one is missing, has another shape, or is not a number.
+/// Copies the tensors "prefix.*" into `module` (any float type on any device). Throws WeightsError
+/// naming `path` if one is missing, has another shape, or is not a number.
 void LoadModule(const WeightsFile& file, const std::string& path, const std::string& prefix,
                 torch::nn::Module* module);
 /// The same from a file on disk.

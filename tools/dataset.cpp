@@ -1,4 +1,5 @@
-// prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures (DESIGN §5).
+// prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures (DESIGN
+// §5).
 
 #include <png.h>
 
@@ -26,20 +27,13 @@ constexpr int kExitUsage = 2, kExitDisk = 13, kExitData = 14;
 json ToJson(const model::DataSetSummary& s) {
   json failures = json::object();
   for (const auto& [reason, count] : s.failures) failures[reason] = count;
-  return {{"task", s.task},
-          {"world_version", s.world_version},
-          {"trials", s.trials},
-          {"successes", s.successes},
-          {"failures", failures},
-          {"frames", s.frames},
-          {"segments", s.segments},
-          {"segments_succeeded", s.segments_succeeded},
-          {"train", s.train},
-          {"valid", s.valid},
-          {"test", s.test},
-          {"width", s.width},
-          {"height", s.height},
-          {"num_actions", s.num_actions}};
+  return {{"task", s.task},         {"world_version", s.world_version},
+          {"trials", s.trials},     {"successes", s.successes},
+          {"failures", failures},   {"frames", s.frames},
+          {"segments", s.segments}, {"segments_succeeded", s.segments_succeeded},
+          {"train", s.train},       {"valid", s.valid},
+          {"test", s.test},         {"width", s.width},
+          {"height", s.height},     {"num_actions", s.num_actions}};
 }
 
 void Print(const model::DataSetSummary& s) {
@@ -47,7 +41,8 @@ void Print(const model::DataSetSummary& s) {
   std::printf("trials          %zu: %zu train, %zu valid, %zu test\n", s.trials, s.train, s.valid,
               s.test);
   std::printf("successes       %zu (%.1f %%)\n", s.successes,
-              100.0 * static_cast<double>(s.successes) / static_cast<double>(std::max<std::size_t>(1, s.trials)));
+              100.0 * static_cast<double>(s.successes) /
+                  static_cast<double>(std::max<std::size_t>(1, s.trials)));
   for (const auto& [reason, count] : s.failures) {
     std::printf("  failed by     %-24s %zu\n", reason.c_str(), count);
   }

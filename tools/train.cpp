@@ -32,19 +32,23 @@ struct Arguments {
 void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option("--task", a->options.task, "the task to train for")->required();
   app->add_option("--data", a->options.data, "data set made by collect (HDF5)");
-  app->add_option("--out", a->options.folder, "folder for checkpoints, caches, curves.csv and weights");
+  app->add_option("--out", a->options.folder,
+                  "folder for checkpoints, caches, curves.csv and weights");
   app->add_option("--iterations", a->iterations,
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
-  app->add_option("--device", a->options.device, "cpu or cuda")->check(CLI::IsMember({"cpu", "cuda"}));
+  app->add_option("--device", a->options.device, "cpu or cuda")
+      ->check(CLI::IsMember({"cpu", "cuda"}));
   app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
   app->add_option("--seed", a->seed, "seed of first weights, batches and dropout")
       ->check(CLI::NonNegativeNumber);
-  app->add_option("--config", a->config_file, "JSON with the options to change (see --print-config)")
+  app->add_option("--config", a->config_file,
+                  "JSON with the options to change (see --print-config)")
       ->check(CLI::ExistingFile);
   app->add_option("--threads", a->options.threads, "CPU threads")->check(CLI::Range(1, 256));
-  app->add_option("--stage", a->stages,
-                  "only these stages: classifier, second-classifier, encoder-decoder, transform, heads");
+  app->add_option(
+      "--stage", a->stages,
+      "only these stages: classifier, second-classifier, encoder-decoder, transform, heads");
   app->add_option("--json", a->json_file, "write the scores here, too");
   app->add_flag("--print-config", a->print_config, "print the configuration and stop");
 }

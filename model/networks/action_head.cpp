@@ -24,8 +24,8 @@ ActionHeadImpl::ActionHeadImpl(const NetworkConfig& config, int outputs)
 torch::Tensor ActionHeadImpl::forward(const torch::Tensor& h0, const torch::Tensor& h,
                                       const torch::Tensor& action) {
   const torch::Tensor a = OneHot(action, num_actions_);
-  torch::Tensor x = torch::cat(
-      {from_h_->forward(h), from_h0_->forward(h0), Tile(a, h.size(2), h.size(3))}, 1);
+  torch::Tensor x =
+      torch::cat({from_h_->forward(h), from_h0_->forward(h0), Tile(a, h.size(2), h.size(3))}, 1);
   x = conv2_->forward(conv1_->forward(x)).flatten(1);
   x = Dropout(x, dropout_, is_training());
   if (costar_) x = torch::cat({x, a}, 1);

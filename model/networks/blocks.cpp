@@ -11,7 +11,8 @@ constexpr double kLeakySlope = 0.2;
 constexpr double kNormEpsilon = 1e-5;  // keeps a channel without contrast finite
 
 torch::nn::Conv2d MakeConv(int in, int out, int kernel, int stride, int padding) {
-  return torch::nn::Conv2d(torch::nn::Conv2dOptions(in, out, kernel).stride(stride).padding(padding));
+  return torch::nn::Conv2d(
+      torch::nn::Conv2dOptions(in, out, kernel).stride(stride).padding(padding));
 }
 
 torch::Tensor Finish(torch::Tensor x, InstanceNorm& norm, const BlockOptions& options,
@@ -31,8 +32,8 @@ at::Generator& ThreadGenerator() {
 torch::Tensor Dropout(const torch::Tensor& x, double rate, bool training) {
   if (!training || rate <= 0.0) return x;
   if (!x.device().is_cpu()) return torch::dropout(x, rate, true);
-  const torch::Tensor mask =
-      torch::empty_like(x, x.options().requires_grad(false)).bernoulli_(1.0 - rate, ThreadGenerator());
+  const torch::Tensor mask = torch::empty_like(x, x.options().requires_grad(false))
+                                 .bernoulli_(1.0 - rate, ThreadGenerator());
   return x * mask.div_(1.0 - rate);
 }
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-/// The layers that all image networks are made of (paper §III-A; order and slope from the authors' code).
-/// Modules follow libtorch's rules: a holder shares its module; one thread may train a module at a time,
-/// several may run it for inference.
+/// The layers that all image networks are made of (paper §III-A; order and slope from the authors'
+/// code). Modules follow libtorch's rules: a holder shares its module; one thread may train a
+/// module at a time, several may run it for inference.
 namespace prospect::model {
 
 enum class Activation { kNone, kRelu, kLeakyRelu, kSigmoid };
@@ -22,9 +22,9 @@ struct BlockOptions {
   double dropout = 0.0;
 };
 
-/// Instance normalisation: every channel of every picture to mean 0 and variance 1 over its pixels, then a
-/// learned scale and shift a channel (Ulyanov et al. 2016). Computed as a group normalisation with one
-/// channel a group, which is the same function and runs faster on CPUs.
+/// Instance normalisation: every channel of every picture to mean 0 and variance 1 over its pixels,
+/// then a learned scale and shift a channel (Ulyanov et al. 2016). Computed as a group
+/// normalisation with one channel a group, which is the same function and runs faster on CPUs.
 class InstanceNormImpl : public torch::nn::Module {
  public:
   explicit InstanceNormImpl(int channels);
@@ -35,7 +35,8 @@ class InstanceNormImpl : public torch::nn::Module {
 };
 TORCH_MODULE(InstanceNorm);
 
-/// Normalisation of a dense layer: over the whole vector, one scalar scale and shift (authors' code).
+/// Normalisation of a dense layer: over the whole vector, one scalar scale and shift (authors'
+/// code).
 class VectorNormImpl : public torch::nn::Module {
  public:
   VectorNormImpl();
@@ -46,8 +47,8 @@ class VectorNormImpl : public torch::nn::Module {
 };
 TORCH_MODULE(VectorNorm);
 
-/// Convolution, instance norm, activation, dropout. Output size is input size / stride for odd and even
-/// kernels ("same" padding; even kernels pad one more at bottom and right).
+/// Convolution, instance norm, activation, dropout. Output size is input size / stride for odd and
+/// even kernels ("same" padding; even kernels pad one more at bottom and right).
 class ConvBlockImpl : public torch::nn::Module {
  public:
   ConvBlockImpl(int in, int out, int kernel, int stride, const BlockOptions& options);
@@ -61,10 +62,11 @@ class ConvBlockImpl : public torch::nn::Module {
 };
 TORCH_MODULE(ConvBlock);
 
-/// Doubles height and width: the paper's 5x5 transposed convolution of stride 2, written as a 3x3 convolution
-/// to four times the channels and a pixel shuffle. Both compute each output pixel from a 3x3 (or smaller)
-/// neighbourhood of input pixels with one kernel for each of the four output phases, so this one can express
-/// every function the other can; it is 2.5 times faster in libtorch 1.13 on CPUs.
+/// Doubles height and width: the paper's 5x5 transposed convolution of stride 2, written as a 3x3
+/// convolution to four times the channels and a pixel shuffle. Both compute each output pixel from
+/// a 3x3 (or smaller) neighbourhood of input pixels with one kernel for each of the four output
+/// phases, so this one can express every function the other can; it is 2.5 times faster in
+/// libtorch 1.13 on CPUs.
 class UpBlockImpl : public torch::nn::Module {
  public:
   UpBlockImpl(int in, int out, const BlockOptions& options);
@@ -81,21 +83,24 @@ TORCH_MODULE(UpBlock);
 /// [B,C,H,W] to [B,2C], channel's row then column, each from -1 to 1.
 torch::Tensor SpatialSoftArgmax(const torch::Tensor& x);
 
-/// Action indices [B] (0..n-1; n = none gives a zero row) to one-hot rows [B,n] of the device's float type.
+/// Action indices [B] (0..n-1; n = none gives a zero row) to one-hot rows [B,n] of the device's
+/// float type.
 torch::Tensor OneHot(const torch::Tensor& actions, int n);
 
 /// A vector [B,N] repeated over a grid: [B,N,height,width].
 torch::Tensor Tile(const torch::Tensor& v, int64_t height, int64_t width);
 
-/// Dropout: with probability `rate` a value becomes 0, the others are scaled by 1/(1-rate); nothing when not
-/// `training`. On CPUs the draws come from this thread's own generator (SeedDropout), so that several threads
-/// can train on one module and give the same numbers every time; elsewhere from the device's.
+/// Dropout: with probability `rate` a value becomes 0, the others are scaled by 1/(1-rate); nothing
+/// when not `training`. On CPUs the draws come from this thread's own generator (SeedDropout), so
+/// that several threads can train on one module and give the same numbers every time; elsewhere
+/// from the device's.
 torch::Tensor Dropout(const torch::Tensor& x, double rate, bool training);
 
 /// Seeds the calling thread's generator of Dropout.
 void SeedDropout(uint64_t seed);
 
-/// Glorot-uniform weights and zero biases for every convolution and dense layer (the authors' defaults).
+/// Glorot-uniform weights and zero biases for every convolution and dense layer (the authors'
+/// defaults).
 void InitialiseGlorot(torch::nn::Module* module);
 
 }  // namespace prospect::model

@@ -5,9 +5,10 @@
 
 namespace prospect::model {
 
-/// C(x): which action a goal image is the goal of. The paper uses it in the loss (lambda C) and as a measure but
-/// does not say its layers; these are the authors': C32(7x7) - C32/2 - C32 - C32 - C64/2 - C64 - C128/2 - C128 -
-/// C128/2, dropout, FC1024, dropout, one logit an action; LeakyReLU 0.2, instance norm.
+/// C(x): which action a goal image is the goal of. The paper uses it in the loss (lambda C) and as
+/// a measure but does not say its layers; these are the authors': C32(7x7) - C32/2 - C32 - C32 -
+/// C64/2 - C64 - C128/2 - C128 - C128/2, dropout, FC1024, dropout, one logit an action; LeakyReLU
+/// 0.2, instance norm.
 class ClassifierImpl : public torch::nn::Module {
  public:
   explicit ClassifierImpl(const NetworkConfig& config);

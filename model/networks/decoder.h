@@ -5,8 +5,8 @@
 
 namespace prospect::model {
 
-/// f_dec (paper §III-A, Fig. 3), the encoder's mirror: 1x1 to 128 - up 64 - C64 - up 32 - C32 - up 32 - C32 -
-/// 1x1 to 3 with a sigmoid; instance norm, ReLU, dropout after each doubling.
+/// f_dec (paper §III-A, Fig. 3), the encoder's mirror: 1x1 to 128 - up 64 - C64 - up 32 - C32 - up
+/// 32 - C32 - 1x1 to 3 with a sigmoid; instance norm, ReLU, dropout after each doubling.
 class DecoderImpl : public torch::nn::Module {
  public:
   explicit DecoderImpl(const NetworkConfig& config);

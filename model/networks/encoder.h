@@ -5,9 +5,9 @@
 
 namespace prospect::model {
 
-/// f_enc (paper §III-A, Fig. 3): C32(7x7) - C32/2 - C32 - C32 - C64/2 - C64 - C128/2 - 1x1 to the hidden
-/// channels with a sigmoid; 5x5 kernels, instance norm, ReLU; dropout after each stride-2 block.
-/// Layer counts from the authors' code (the paper's figure is not in its text).
+/// f_enc (paper §III-A, Fig. 3): C32(7x7) - C32/2 - C32 - C32 - C64/2 - C64 - C128/2 - 1x1 to the
+/// hidden channels with a sigmoid; 5x5 kernels, instance norm, ReLU; dropout after each stride-2
+/// block. Layer counts from the authors' code (the paper's figure is not in its text).
 class EncoderImpl : public torch::nn::Module {
  public:
   explicit EncoderImpl(const NetworkConfig& config);

@@ -33,8 +33,7 @@ TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
 torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Tensor& y) {
   const int stages = 1 + config_.transform_extra_stages;
   const torch::Tensor tiled = Tile(y, x.size(2), x.size(3));
-  const torch::Tensor points =
-      SpatialSoftArgmax(with_action_->forward(torch::cat({x, tiled}, 1)));
+  const torch::Tensor points = SpatialSoftArgmax(with_action_->forward(torch::cat({x, tiled}, 1)));
   torch::Tensor z = torch::relu(dense_->forward(torch::cat({points, y}, 1)));
   z = Dropout(z, config_.dropout, is_training());
   return z.view({-1, kWidth, config_.hidden_height() >> stages, config_.hidden_width() >> stages});
@@ -46,8 +45,7 @@ torch::Tensor TransformImpl::forward(const torch::Tensor& h0, const torch::Tenso
       Activate(action_norm_->forward(action_->forward(OneHot(action, config_.num_actions))),
                ActivationOf(config_.activation));
   std::vector<torch::Tensor> skips;
-  skips.push_back(
-      merge_->forward(torch::cat({from_h_->forward(h), from_h0_->forward(h0)}, 1)));
+  skips.push_back(merge_->forward(torch::cat({from_h_->forward(h), from_h0_->forward(h0)}, 1)));
   for (const auto& down : *down_) skips.push_back(down->as<ConvBlock>()->forward(skips.back()));
   torch::Tensor z = Bottleneck(skips.back(), y);
   for (std::size_t i = 0; i < up_->size(); ++i) {

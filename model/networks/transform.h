@@ -7,13 +7,14 @@
 
 namespace prospect::model {
 
-/// T(h0, h, a) to h' (paper §III-A, Fig. 4): the hidden state after carrying out action a from h, where h0
-/// is the hidden state of the problem's first image.
+/// T(h0, h, a) to h' (paper §III-A, Fig. 4): the hidden state after carrying out action a from h,
+/// where h0 is the hidden state of the problem's first image.
 ///
-/// h and h0 through 1x1 convolutions each (64), merged by C64 (the skip tensor); the action through a dense
-/// layer (64), tiled and merged by C64; spatial soft argmax to 128 numbers, the action again, a dense layer to
-/// a quarter of the grid x 64; up; the skip tensor; C64; 1x1 with a sigmoid. `transform_extra_stages` adds
-/// strided C64 blocks on the way down, with a skip and a doubling each on the way up (the paper's suturing net).
+/// h and h0 through 1x1 convolutions each (64), merged by C64 (the skip tensor); the action through
+/// a dense layer (64), tiled and merged by C64; spatial soft argmax to 128 numbers, the action
+/// again, a dense layer to a quarter of the grid x 64; up; the skip tensor; C64; 1x1 with a
+/// sigmoid. `transform_extra_stages` adds strided C64 blocks on the way down, with a skip and a
+/// doubling each on the way up (the paper's suturing net).
 class TransformImpl : public torch::nn::Module {
  public:
   explicit TransformImpl(const NetworkConfig& config);

@@ -5,8 +5,8 @@
 
 namespace prospect::model {
 
-/// V(h) (paper §III-A): C32-C64-C128-FC128 and a sigmoid, no normalisation; 4x4 kernels, strides 1, 2, 2 and
-/// the dropout from the authors' code. Returns the logit: probability = sigmoid.
+/// V(h) (paper §III-A): C32-C64-C128-FC128 and a sigmoid, no normalisation; 4x4 kernels, strides 1,
+/// 2, 2 and the dropout from the authors' code. Returns the logit: probability = sigmoid.
 class ValueHeadImpl : public torch::nn::Module {
  public:
   explicit ValueHeadImpl(const NetworkConfig& config);

@@ -70,13 +70,15 @@ torch::Tensor ChainBatch::Actions(int step) const {
 
 torch::Tensor ChainBatch::Weights(int step) const {
   std::vector<float> weights;
-  for (const Chain& chain : chains_) weights.push_back(chain.weights[static_cast<std::size_t>(step)]);
+  for (const Chain& chain : chains_)
+    weights.push_back(chain.weights[static_cast<std::size_t>(step)]);
   return FloatTensor(weights, context_.device);
 }
 
 torch::Tensor ChainBatch::Succeeded(int step) const {
   std::vector<float> labels;
-  for (std::size_t i = 0; i < size(); ++i) labels.push_back(segment(i, step).succeeded ? 1.0F : 0.0F);
+  for (std::size_t i = 0; i < size(); ++i)
+    labels.push_back(segment(i, step).succeeded ? 1.0F : 0.0F);
   return FloatTensor(labels, context_.device);
 }
 

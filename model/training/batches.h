@@ -18,17 +18,17 @@ CounterRandom BatchRandom(const TrainConfig& config, const std::string& stage,
 /// 0, or one of the 8 turns if TrainConfig::augment says so.
 int DrawTurn(const TrainConfig& config, CounterRandom* random);
 
-/// Rows of consecutive actions of one trial, as T is trained on: from slot `start`, step k carries out
-/// actions[k], whose goal picture is goals[k].
+/// Rows of consecutive actions of one trial, as T is trained on: from slot `start`, step k carries
+/// out actions[k], whose goal picture is goals[k].
 struct Chain {
-  int first = 0;  ///< slot of x0
-  int start = 0;  ///< slot of the state it begins from
-  std::vector<int> segments;        ///< index of the segment of each step; repeated at a trial's end
-  std::vector<float> weights;       ///< per step 1, or 0 where the trial has no such step
+  int first = 0;               ///< slot of x0
+  int start = 0;               ///< slot of the state it begins from
+  std::vector<int> segments;   ///< index of the segment of each step; repeated at a trial's end
+  std::vector<float> weights;  ///< per step 1, or 0 where the trial has no such step
 };
 
-/// The chain of `steps` steps that begins at segment `segment` from slot `start`. Steps past the trial's last
-/// segment repeat it, with weight 1 if `repeat_last`, else 0.
+/// The chain of `steps` steps that begins at segment `segment` from slot `start`. Steps past the
+/// trial's last segment repeat it, with weight 1 if `repeat_last`, else 0.
 Chain MakeChain(const TrainContext& context, int segment, int start, int steps, bool repeat_last);
 
 /// A batch of chains as columns.

@@ -2,7 +2,8 @@
 
 namespace prospect::model {
 
-torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_picture, double focus) {
+torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_picture,
+                           double focus) {
   const torch::Tensor difference = (x - mean_picture).abs().amax(1, /*keepdim=*/true);
   return ((difference - 0.08) / 0.1).clamp(0.0, 1.0) * focus + 1.0;
 }

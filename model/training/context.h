@@ -7,8 +7,9 @@
 
 namespace prospect::model {
 
-/// What all stages share. A view: whoever makes it keeps everything alive. `hidden` is null until the encoder
-/// is trained. Stages only read it, except for the weights of the networks that they train.
+/// What all stages share. A view: whoever makes it keeps everything alive. `hidden` is null until
+/// the encoder is trained. Stages only read it, except for the weights of the networks that they
+/// train.
 struct TrainContext {
   const TrainConfig& config;
   const SampleSet& samples;
@@ -19,12 +20,14 @@ struct TrainContext {
   torch::Tensor mean_picture;  ///< [3,H,W] of training frames, on the device
 
   const TrialSample& trial(int i) const { return samples.trials[static_cast<std::size_t>(i)]; }
-  const SegmentSample& segment(int i) const { return samples.segments[static_cast<std::size_t>(i)]; }
+  const SegmentSample& segment(int i) const {
+    return samples.segments[static_cast<std::size_t>(i)];
+  }
 };
 
-/// Weights of pixels for the picture losses: 1 + focus where a pixel of `x` [B,3,H,W] differs from the mean
-/// picture by 0.18 or more in some channel, 1 below 0.08, linear between; [B,1,H,W]. (Below 0.08 lies the light
-/// that changes from trial to trial.) focus = 0 gives ones.
+/// Weights of pixels for the picture losses: 1 + focus where a pixel of `x` [B,3,H,W] differs from
+/// the mean picture by 0.18 or more in some channel, 1 below 0.08, linear between; [B,1,H,W].
+/// (Below 0.08 lies the light that changes from trial to trial.) focus = 0 gives ones.
 torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_picture, double focus);
 
 /// Indices of actions as a tensor [n] int64 on `device`.

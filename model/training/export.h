@@ -7,10 +7,11 @@
 
 namespace prospect::model {
 
-/// Writes what was trained: DIR/TASK.safetensors (all that planning needs) and DIR/TASK-classifiers.safetensors (C and
-/// the second classifier, which only scores need), both with configuration, data hash, code version, scores and
-/// calibration in their metadata. The calibration's refusal_threshold is the plan score that best separates
-/// successful from failed validation trials. Returns the path of the first. Throws WeightsError.
+/// Writes what was trained: DIR/TASK.safetensors (all that planning needs) and
+/// DIR/TASK-classifiers.safetensors (C and the second classifier, which only scores need), both
+/// with configuration, data hash, code version, scores and calibration in their metadata. The
+/// calibration's refusal_threshold is the plan score that best separates successful from failed
+/// validation trials. Returns the path of the first. Throws WeightsError.
 std::string ExportWeights(const Trainer& trainer, const nlohmann::json& scores);
 
 }  // namespace prospect::model

@@ -85,7 +85,9 @@ class TrialJudge {
   HeadJudgements result_;
 };
 
-void Append(const Judgements& from, Judgements* to) { to->insert(to->end(), from.begin(), from.end()); }
+void Append(const Judgements& from, Judgements* to) {
+  to->insert(to->end(), from.begin(), from.end());
+}
 
 void Append(const HeadJudgements& from, HeadJudgements* to) {
   Append(from.value_real, &to->value_real);

@@ -5,8 +5,8 @@
 namespace prospect::model {
 namespace {
 
-/// Labels of states, row by row, as the heads are trained on. A next action of -1 means no loss for Q; done of
-/// -1 no loss for f; `structure` false none for p and Q.
+/// Labels of states, row by row, as the heads are trained on. A next action of -1 means no loss for
+/// Q; done of -1 no loss for f; `structure` false none for p and Q.
 struct StateLabels {
   std::vector<int> action;       ///< that led here; num_actions = none
   std::vector<float> value;      ///< V's label
@@ -70,7 +70,8 @@ class HeadsStage : public Stage {
 
  private:
   int NextAction(const TrialSample& trial, int segment) const {
-    return segment + 1 < trial.first_segment + trial.segments ? context_.segment(segment + 1).action : -1;
+    return segment + 1 < trial.first_segment + trial.segments ? context_.segment(segment + 1).action
+                                                              : -1;
   }
 
   /// Every cached frame of the trials: the first, the goals, the ones inside.
@@ -100,10 +101,12 @@ class HeadsStage : public Stage {
       }
     }
     AddHeads(context_.hidden->Get(firsts, turns).to(context_.device),
-             context_.hidden->Get(slots, turns).to(context_.device), labels, "real", weight, result);
+             context_.hidden->Get(slots, turns).to(context_.device), labels, "real", weight,
+             result);
   }
 
-  /// Chains of imagined states from a random segment of each trial to its end, as the planner imagines them.
+  /// Chains of imagined states from a random segment of each trial to its end, as the planner
+  /// imagines them.
   void AddImagined(const std::vector<int>& trials, const std::vector<int>& variants, double weight,
                    CounterRandom* random, LossParts* result) const {
     std::vector<Chain> chains;

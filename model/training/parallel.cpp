@@ -19,7 +19,8 @@ void ParallelPieces(std::int64_t total, std::int64_t piece, int threads,
   const auto run = [&] {
     at::set_num_threads(1);
     try {
-      for (std::int64_t begin = next.fetch_add(piece); begin < total; begin = next.fetch_add(piece)) {
+      for (std::int64_t begin = next.fetch_add(piece); begin < total;
+           begin = next.fetch_add(piece)) {
         work(begin, std::min(total, begin + piece));
       }
     } catch (...) {

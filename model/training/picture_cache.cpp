@@ -17,7 +17,8 @@ std::size_t FrameBytes(const SampleSet& set) {
   return static_cast<std::size_t>(set.width) * static_cast<std::size_t>(set.height) * 3;
 }
 
-/// Frames of one trial lie one after another in SampleSet::frames; this reads them with one visit to the file.
+/// Frames of one trial lie one after another in SampleSet::frames; this reads them with one visit
+/// to the file.
 void ReadTrialFrames(const TrialFile& file, const SampleSet& set, std::size_t first_slot,
                      std::size_t end_slot, std::uint8_t* out) {
   const TrialSample& trial = set.trials[static_cast<std::size_t>(set.frames[first_slot].trial)];
@@ -65,10 +66,10 @@ torch::Tensor PictureCache::Get(const std::vector<int>& slots) const {
   torch::Tensor raw =
       torch::empty({static_cast<int64_t>(slots.size()), height_, width_, 3}, torch::kUInt8);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    std::memcpy(raw.data_ptr<std::uint8_t>() + i * bytes,
-                static_cast<const std::uint8_t*>(file_.data()) +
-                    static_cast<std::size_t>(slots[i]) * bytes,
-                bytes);
+    std::memcpy(
+        raw.data_ptr<std::uint8_t>() + i * bytes,
+        static_cast<const std::uint8_t*>(file_.data()) + static_cast<std::size_t>(slots[i]) * bytes,
+        bytes);
   }
   return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F);
 }
@@ -98,30 +99,31 @@ HiddenCache::HiddenCache(const std::string& path, const PictureCache& pictures, 
                 const torch::Tensor x =
                     Dihedral(pictures.Get(Range(begin, end)), variant).contiguous().to(device);
                 const torch::Tensor h = encoder->forward(x).to(torch::kCPU).contiguous();
-                const std::size_t row = static_cast<std::size_t>(variant) * slots +
-                                        static_cast<std::size_t>(begin);
-                std::memcpy(static_cast<float*>(out) +
-                                row * static_cast<std::size_t>(config.hidden_size()),
-                            h.data_ptr<float>(), h.nbytes());
+                const std::size_t row =
+                    static_cast<std::size_t>(variant) * slots + static_cast<std::size_t>(begin);
+                std::memcpy(
+                    static_cast<float*>(out) + row * static_cast<std::size_t>(config.hidden_size()),
+                    h.data_ptr<float>(), h.nbytes());
                 const std::lock_guard<std::mutex> lock(mutex);
                 progress(done += end - begin, total);
               };
               for (int v = 0; v < variants; ++v) {
-                ParallelPieces(static_cast<std::int64_t>(slots), kEncodeBatch,
-                               device.is_cpu() ? threads : 1,
-                               [&](std::int64_t begin, std::int64_t end) { encode(begin, end, v); });
+                ParallelPieces(
+                    static_cast<std::int64_t>(slots), kEncodeBatch, device.is_cpu() ? threads : 1,
+                    [&](std::int64_t begin, std::int64_t end) { encode(begin, end, v); });
               }
             }) {}
 
-torch::Tensor HiddenCache::Get(const std::vector<int>& slots, const std::vector<int>& variants) const {
+torch::Tensor HiddenCache::Get(const std::vector<int>& slots,
+                               const std::vector<int>& variants) const {
   const auto size = static_cast<std::size_t>(config_.hidden_size());
   torch::Tensor h = torch::empty({static_cast<int64_t>(slots.size()), config_.hidden_channels,
                                   config_.hidden_height(), config_.hidden_width()});
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::size_t row =
         static_cast<std::size_t>(variants[i]) * slots_ + static_cast<std::size_t>(slots[i]);
-    std::memcpy(h.data_ptr<float>() + i * size, static_cast<const float*>(file_.data()) + row * size,
-                size * sizeof(float));
+    std::memcpy(h.data_ptr<float>() + i * size,
+                static_cast<const float*>(file_.data()) + row * size, size * sizeof(float));
   }
   return h;
 }

@@ -14,12 +14,12 @@ namespace prospect::model {
 /// Progress of a long loop: units done, of how many. Called from one thread at a time.
 using ProgressFn = std::function<void(std::int64_t done, std::int64_t total)>;
 
-/// One of the 8 flips and quarter turns of pictures [B,C,N,N]: `element` 0 is none, 1-3 quarter turns, 4-7 the
-/// same after a left-right flip.
+/// One of the 8 flips and quarter turns of pictures [B,C,N,N]: `element` 0 is none, 1-3 quarter
+/// turns, 4-7 the same after a left-right flip.
 torch::Tensor Dihedral(const torch::Tensor& pictures, int element);
 
-/// All frames of a SampleSet as they are seen, sensor noise included, by slot. Memory-mapped; reading is
-/// thread-safe.
+/// All frames of a SampleSet as they are seen, sensor noise included, by slot. Memory-mapped;
+/// reading is thread-safe.
 class PictureCache {
  public:
   /// Reads the frames of `set` from `file` unless `path` already holds them. Throws DataError.
@@ -35,13 +35,14 @@ class PictureCache {
   MappedFile file_;
 };
 
-/// Encodings of all frames by (variant, slot), in 32-bit floats. Memory-mapped; reading is thread-safe.
+/// Encodings of all frames by (variant, slot), in 32-bit floats. Memory-mapped; reading is
+/// thread-safe.
 class HiddenCache {
  public:
-  /// Encodes every frame with `encoder` (put into inference mode) unless `path` already holds them. Variant v
-  /// is the picture turned by Dihedral(v).
-  HiddenCache(const std::string& path, const PictureCache& pictures, std::size_t slots, int variants,
-              Encoder encoder, const NetworkConfig& config, int threads,
+  /// Encodes every frame with `encoder` (put into inference mode) unless `path` already holds them.
+  /// Variant v is the picture turned by Dihedral(v).
+  HiddenCache(const std::string& path, const PictureCache& pictures, std::size_t slots,
+              int variants, Encoder encoder, const NetworkConfig& config, int threads,
               const torch::Device& device, const ProgressFn& progress);
   /// Hidden states [B,c,Hh,Wh] (on the CPU); variants[i] belongs to slots[i].
   torch::Tensor Get(const std::vector<int>& slots, const std::vector<int>& variants) const;

@@ -77,9 +77,12 @@ struct StepSums {
   json Labels() const {
     const double n = std::max(1, labelled);
     const int most = of_action.empty() ? 0 : *std::max_element(of_action.begin(), of_action.end());
-    return {{"samples", labelled},       {"first", first / n},
-            {"second", second / n},      {"real_first", real_first / n},
-            {"real_second", real_second / n}, {"majority", most / n}};
+    return {{"samples", labelled},
+            {"first", first / n},
+            {"second", second / n},
+            {"real_first", real_first / n},
+            {"real_second", real_second / n},
+            {"majority", most / n}};
   }
 };
 
@@ -120,7 +123,11 @@ class ChainScorer {
       const std::lock_guard<std::mutex> lock(*file_mutex_);  // libhdf5 is not thread-safe
       file_.ReadFrames(context_.trial(frame.trial).index, {frame.frame}, raw.data_ptr<uint8_t>());
     }
-    return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F).to(context_.device);
+    return raw.permute({0, 3, 1, 2})
+        .contiguous()
+        .to(torch::kFloat)
+        .div_(255.0F)
+        .to(context_.device);
   }
 
   void ScorePicture(const torch::Tensor& h, const SegmentSample& first, const SegmentSample& step,

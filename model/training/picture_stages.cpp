@@ -24,8 +24,8 @@ class ClassifierStage : public Stage {
     CounterRandom random = BatchRandom(context_.config, name_, iteration, shard);
     std::vector<int> slots, actions;
     for (int i = 0; i < ShardSize(config().batch, shard, shards); ++i) {
-      const SegmentSample& segment = context_.segment(
-          segments_[static_cast<std::size_t>(random.Below(static_cast<std::int64_t>(segments_.size())))]);
+      const SegmentSample& segment = context_.segment(segments_[static_cast<std::size_t>(
+          random.Below(static_cast<std::int64_t>(segments_.size())))]);
       slots.push_back(segment.goal);
       actions.push_back(segment.action);
     }
@@ -71,8 +71,7 @@ class EncoderDecoderStage : public Stage {
     x = Dihedral(x, turn).contiguous();
     weights = Dihedral(weights, turn);
     Networks networks = context_.networks;
-    const torch::Tensor error =
-        (networks.decoder->forward(networks.encoder->forward(x)) - x).abs();
+    const torch::Tensor error = (networks.decoder->forward(networks.encoder->forward(x)) - x).abs();
     const torch::Tensor loss = (error * weights).mean();
     return {loss, {{"loss", loss.item<double>()}, {"l1", error.mean().item<double>()}}};
   }

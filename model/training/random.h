@@ -6,8 +6,9 @@
 
 namespace prospect::model {
 
-/// Random numbers as a pure function of (seed, stream, counter): batch `iteration` of a stage is the same
-/// whether or not training was interrupted before it. Not thread-safe; make one where it is needed.
+/// Random numbers as a pure function of (seed, stream, counter): batch `iteration` of a stage is
+/// the same whether or not training was interrupted before it. Not thread-safe; make one where it
+/// is needed.
 class CounterRandom {
  public:
   CounterRandom(std::uint64_t seed, std::uint64_t stream, std::uint64_t counter)

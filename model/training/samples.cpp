@@ -9,7 +9,8 @@
 namespace prospect::model {
 namespace {
 
-constexpr double kUnsureSeconds = 0.3;       // frames nearer to an action's end are neither done nor not done
+constexpr double kUnsureSeconds =
+    0.3;  // frames nearer to an action's end are neither done nor not done
 constexpr std::uint64_t kMidStream = 0x6d6964;  // "mid"
 
 /// Gives each frame of one trial its slot, once.

@@ -8,15 +8,15 @@
 
 namespace prospect::model {
 
-/// One frame that training uses. Its position in SampleSet::frames is its *slot*, by which caches of
-/// pictures and encodings are indexed.
+/// One frame that training uses. Its position in SampleSet::frames is its *slot*, by which caches
+/// of pictures and encodings are indexed.
 struct FrameRef {
   int trial = 0;  ///< index into SampleSet::trials
   int frame = 0;  ///< frame number inside the trial
 };
 
-/// One carried-out action. Labels as in DESIGN §5: the goal picture is the frame on which the next segment
-/// begins, or the trial's last.
+/// One carried-out action. Labels as in DESIGN §5: the goal picture is the frame on which the next
+/// segment begins, or the trial's last.
 struct SegmentSample {
   int trial = 0;
   int action = 0;
@@ -24,7 +24,8 @@ struct SegmentSample {
   int start = 0;          ///< slot of the segment's first frame
   int goal = 0;           ///< slot of the goal picture
   bool succeeded = true;  ///< did it meet its end condition (f's label on the goal picture)
-  std::vector<int> mids;  ///< slots of frames inside, at least 0.3 s before the end (f's label there is 0)
+  std::vector<int>
+      mids;  ///< slots of frames inside, at least 0.3 s before the end (f's label there is 0)
 };
 
 struct TrialSample {
@@ -38,8 +39,8 @@ struct TrialSample {
   int segments = 0;
 };
 
-/// What training reads of a data set: which frames, and their labels. Everything is a pure function of the
-/// labels on disk. A plain value.
+/// What training reads of a data set: which frames, and their labels. Everything is a pure function
+/// of the labels on disk. A plain value.
 struct SampleSet {
   std::string task, world_version, task_hash;
   int width = 0, height = 0, num_actions = 0;
@@ -62,8 +63,9 @@ SampleSet ReadSamples(const TrialFile& file, int mids_per_segment);
 /// Adds one trial; ReadSamples is this over a file.
 void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, SampleSet* set);
 
-/// p's label of action `next` after `previous`: the scene offers it and it is not the one just done.
-/// (That an object was visited earlier in a plan is the task's rule, which the planner applies.)
+/// p's label of action `next` after `previous`: the scene offers it and it is not the one just
+/// done. (That an object was visited earlier in a plan is the task's rule, which the planner
+/// applies.)
 inline bool MayFollow(const TrialSample& trial, int previous, int next) {
   return trial.present[static_cast<std::size_t>(next)] != 0 && next != previous;
 }

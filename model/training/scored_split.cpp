@@ -16,7 +16,8 @@ ScoredSplit::ScoredSplit(const TrainContext& context, Split split, std::size_t m
   for (std::size_t i = 0; i < all.size(); i += step) trials_.push_back(all[i]);
   std::vector<int> slots;
   const auto add = [&](int slot) {
-    if (row_of_slot_.emplace(slot, static_cast<int64_t>(slots.size())).second) slots.push_back(slot);
+    if (row_of_slot_.emplace(slot, static_cast<int64_t>(slots.size())).second)
+      slots.push_back(slot);
   };
   for (const int t : trials_) {
     const TrialSample& trial = context.trial(t);
@@ -28,9 +29,9 @@ ScoredSplit::ScoredSplit(const TrainContext& context, Split split, std::size_t m
     }
   }
   const NetworkConfig& c = context.config.network;
-  hidden_ = torch::empty({static_cast<int64_t>(slots.size()), c.hidden_channels, c.hidden_height(),
-                          c.hidden_width()},
-                         torch::TensorOptions().device(context.device));
+  hidden_ = torch::empty(
+      {static_cast<int64_t>(slots.size()), c.hidden_channels, c.hidden_height(), c.hidden_width()},
+      torch::TensorOptions().device(context.device));
   Encoder encoder = context.networks.encoder;
   ParallelPieces(static_cast<int64_t>(slots.size()), 16, context.device.is_cpu() ? threads : 1,
                  [&](int64_t begin, int64_t end) {

@@ -7,8 +7,8 @@
 
 namespace prospect::model {
 
-/// Trials of one part with fresh encodings of all their frames (by the networks as they are now, not from a
-/// cache). Reading is thread-safe.
+/// Trials of one part with fresh encodings of all their frames (by the networks as they are now,
+/// not from a cache). Reading is thread-safe.
 class ScoredSplit {
  public:
   /// Takes at most `most_trials` trials, evenly spread. Throws DataError if there are none.

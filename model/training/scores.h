@@ -6,24 +6,30 @@
 
 namespace prospect::model {
 
-/// Held-out scores of trained networks (in inference mode, weights already rounded as they are stored).
-/// Thresholds are chosen on validation trials, everything is reported on test trials. Keys:
+/// Held-out scores of trained networks (in inference mode, weights already rounded as they are
+/// stored). Thresholds are chosen on validation trials, everything is reported on test trials.
+/// Keys:
 ///
-///   trials, chains                        test trials; chains of actions the pictures are scored on
-///   pictures.x1, .x2                      after one and two transforms, each with
-///     mae, mae_changed                    against the goal picture as seen (with noise); "changed": pixels that differ
-///                                         by more than 0.1 between the clean start and goal pictures
+///   trials, chains                        test trials; chains of actions the pictures are scored
+///   on pictures.x1, .x2                      after one and two transforms, each with
+///     mae, mae_changed                    against the goal picture as seen (with noise);
+///     "changed": pixels that differ
+///                                         by more than 0.1 between the clean start and goal
+///                                         pictures
 ///     mae_clean, mae_changed_clean        against the clean goal picture
-///     copy_*                              the same four for copying the start picture x (the trivial answer)
-///     reconstruction_*                    the same four for decode(encode(goal)): the best T could reach
-///     noise_floor                         clean against noisy goal: nothing can do better on `mae`
-///     samples
-///   labels.x1, .x2                        of actions that succeeded: share of predicted pictures labelled with their
+///     copy_*                              the same four for copying the start picture x (the
+///     trivial answer) reconstruction_*                    the same four for decode(encode(goal)):
+///     the best T could reach noise_floor                         clean against noisy goal: nothing
+///     can do better on `mae` samples
+///   labels.x1, .x2                        of actions that succeeded: share of predicted pictures
+///   labelled with their
 ///     second, first                       action by the second classifier and by C itself,
 ///     real_second, real_first             by both on the real goal pictures,
-///     majority                            and by always answering the most frequent action; samples
-///   value.real, .after_two, .imagined     V; likewise f.real, f.imagined, f.depth1.., p.real, p.imagined,
-///   f.*, p.*, q.*, plan                   q.real, q.imagined, and plan: V at the end times f along the way
+///     majority                            and by always answering the most frequent action;
+///     samples
+///   value.real, .after_two, .imagined     V; likewise f.real, f.imagined, f.depth1.., p.real,
+///   p.imagined, f.*, p.*, q.*, plan                   q.real, q.imagined, and plan: V at the end
+///   times f along the way
 ///     balanced_accuracy, threshold, accuracy, base_rate, brier, trivial_brier, samples
 ///     (the trivial balanced accuracy is 0.5)
 ///

@@ -21,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t kWarmUp = 100;      // iterations over which the learning rate rises
-constexpr double kLastRate = 0.01;         // share of the learning rate at the end
-constexpr double kClipNorm = 100.0;        // gradient norm, as the authors'
-constexpr std::int64_t kLogEvery = 25;     // iterations a row of the curves averages over
-constexpr double kAdamEpsilon = 1e-7;      // Keras' default, as the authors'
+constexpr std::int64_t kWarmUp = 100;   // iterations over which the learning rate rises
+constexpr double kLastRate = 0.01;      // share of the learning rate at the end
+constexpr double kClipNorm = 100.0;     // gradient norm, as the authors'
+constexpr std::int64_t kLogEvery = 25;  // iterations a row of the curves averages over
+constexpr double kAdamEpsilon = 1e-7;   // Keras' default, as the authors'
 
 double RateAt(const StageConfig& config, std::int64_t iteration) {
   const double warm = std::min(1.0, static_cast<double>(iteration + 1) / kWarmUp);
@@ -40,7 +40,8 @@ struct Means {
   std::int64_t count = 0;
 
   void Add(const std::vector<std::pair<std::string, double>>& parts) {
-    if (sums.empty()) sums = parts;
+    if (sums.empty())
+      sums = parts;
     else
       for (std::size_t i = 0; i < parts.size(); ++i) sums[i].second += parts[i].second;
     ++count;
@@ -52,15 +53,16 @@ struct Means {
   }
 };
 
-/// The rows of DIR/curves.csv: stage,iteration,name,value. After a resume, rows of iterations that will be
-/// computed again are dropped first.
+/// The rows of DIR/curves.csv: stage,iteration,name,value. After a resume, rows of iterations that
+/// will be computed again are dropped first.
 class Curves {
  public:
   Curves(const std::string& folder, std::string stage, std::int64_t keep_to)
       : path_(folder + "/curves.csv"), stage_(std::move(stage)) {
     Drop(keep_to);
   }
-  void Write(std::int64_t iteration, const std::vector<std::pair<std::string, double>>& means) const {
+  void Write(std::int64_t iteration,
+             const std::vector<std::pair<std::string, double>>& means) const {
     std::ofstream out(path_, std::ios::app);
     for (const auto& [name, value] : means) {
       out << stage_ << ',' << iteration << ',' << name << ',' << value << '\n';
@@ -125,7 +127,8 @@ class StageFile {
     fs::rename(path + ".tmp", path);
   }
 
-  /// The iteration stored, or -1 if there is no such file, it does not open, or it is of another key.
+  /// The iteration stored, or -1 if there is no such file, it does not open, or it is of another
+  /// key.
   std::int64_t Load(const std::string& path) const {
     if (!fs::exists(path)) return -1;
     try {
@@ -192,14 +195,15 @@ class Stepper {
 
   std::vector<std::pair<std::string, double>> Step(std::int64_t iteration) {
     std::vector<ShardResult> results(static_cast<std::size_t>(shards_));
-    ParallelPieces(shards_, 1, run_.device.is_cpu() ? run_.threads : 1,
-                   [&](std::int64_t shard, std::int64_t) {
-                     results[static_cast<std::size_t>(shard)] = Shard(iteration, static_cast<int>(shard));
-                   });
+    ParallelPieces(
+        shards_, 1, run_.device.is_cpu() ? run_.threads : 1, [&](std::int64_t shard, std::int64_t) {
+          results[static_cast<std::size_t>(shard)] = Shard(iteration, static_cast<int>(shard));
+        });
     SetGradients(results);
     torch::nn::utils::clip_grad_norm_(parameters_, kClipNorm);
     for (auto& group : adam_->param_groups()) {
-      static_cast<torch::optim::AdamOptions&>(group.options()).lr(RateAt(stage_->config(), iteration));
+      static_cast<torch::optim::AdamOptions&>(group.options())
+          .lr(RateAt(stage_->config(), iteration));
     }
     adam_->step();
     return MeanParts(results);
@@ -214,7 +218,8 @@ class Stepper {
     if (!run_.device.is_cpu()) torch::manual_seed(seed);
     ShardResult result;
     result.loss = stage_->Loss(iteration, shard, shards_);
-    result.gradients = torch::autograd::grad({result.loss.loss}, parameters_, {}, false, false, true);
+    result.gradients =
+        torch::autograd::grad({result.loss.loss}, parameters_, {}, false, false, true);
     return result;
   }
 
@@ -228,10 +233,12 @@ class Stepper {
     }
   }
 
-  std::vector<std::pair<std::string, double>> MeanParts(const std::vector<ShardResult>& results) const {
+  std::vector<std::pair<std::string, double>> MeanParts(
+      const std::vector<ShardResult>& results) const {
     std::vector<std::pair<std::string, double>> means = results[0].loss.parts;
     for (std::size_t s = 1; s < results.size(); ++s) {
-      for (std::size_t i = 0; i < means.size(); ++i) means[i].second += results[s].loss.parts[i].second;
+      for (std::size_t i = 0; i < means.size(); ++i)
+        means[i].second += results[s].loss.parts[i].second;
     }
     for (auto& [name, value] : means) {
       value /= shards_;

@@ -23,8 +23,9 @@ class Stage {
   virtual const StageConfig& config() const = 0;
   /// The networks it trains, with the names they have in checkpoints.
   virtual std::vector<std::pair<std::string, torch::nn::Module*>> modules() const = 0;
-  /// Shard `shard` of `shards` of batch `iteration`: a pure function of these numbers, the weights and the
-  /// data. Called from several threads at once for different shards; dropout is seeded by the caller.
+  /// Shard `shard` of `shards` of batch `iteration`: a pure function of these numbers, the weights
+  /// and the data. Called from several threads at once for different shards; dropout is seeded by
+  /// the caller.
   virtual LossParts Loss(std::int64_t iteration, int shard, int shards) = 0;
 };
 
@@ -41,12 +42,12 @@ struct StageRun {
   std::int64_t stop_after = -1;
 };
 
-/// Runs a stage to its end, or continues it from its checkpoint, or loads its result if `run.key` is already
-/// finished. The result is the same in all three cases (same machine, same shards). Writes
-/// DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`, and rows to
-/// DIR/curves.csv; progress with an estimate of the time left goes to stderr.
-/// Returns false only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be written or the
-/// loss stops being a number.
+/// Runs a stage to its end, or continues it from its checkpoint, or loads its result if `run.key`
+/// is already finished. The result is the same in all three cases (same machine, same shards).
+/// Writes DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`,
+/// and rows to DIR/curves.csv; progress with an estimate of the time left goes to stderr. Returns
+/// false only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be written
+/// or the loss stops being a number.
 bool RunStage(Stage* stage, const StageRun& run);
 
 /// Only loads the finished result of `run.key`, into inference mode; false if there is none.

@@ -50,9 +50,8 @@ TrainConfig TrainConfigFor(const std::string& task) {
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
   const std::int64_t now = config->transform_hidden.iterations + config->transform_image.iterations;
   Require(now > 0 && transform_iterations > 0, "iterations: must be positive");
-  for (StageConfig* stage :
-       {&config->classifier, &config->encoder_decoder, &config->transform_hidden,
-        &config->transform_image, &config->heads}) {
+  for (StageConfig* stage : {&config->classifier, &config->encoder_decoder,
+                             &config->transform_hidden, &config->transform_image, &config->heads}) {
     const std::int64_t scaled = stage->iterations * transform_iterations / now;
     stage->iterations = stage->iterations > 0 ? std::max<std::int64_t>(1, scaled) : 0;
   }
@@ -61,7 +60,8 @@ void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
 void Validate(const TrainConfig& c) {
   Validate(c.network);
   Require(c.shards >= 1 && c.shards <= 64, "shards: must be 1 to 64");
-  Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100, "mids_per_segment: must be 0 to 100");
+  Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100,
+          "mids_per_segment: must be 0 to 100");
   Require(c.augment == "none" || c.augment == "dihedral", "augment: must be none or dihedral");
   Require(c.augment == "none" || c.network.image_width == c.network.image_height,
           "augment: dihedral needs square pictures");

@@ -8,8 +8,8 @@
 
 namespace prospect::model {
 
-/// How long and how fast one stage trains. Learning rates rise over the first 100 iterations and fall to a
-/// hundredth along a cosine.
+/// How long and how fast one stage trains. Learning rates rise over the first 100 iterations and
+/// fall to a hundredth along a cosine.
 struct StageConfig {
   std::int64_t iterations = 1000;
   int batch = 32;
@@ -18,47 +18,56 @@ struct StageConfig {
 
 /// Everything training depends on besides the data. Stored with the weights. A plain value.
 ///
-/// The defaults follow the paper and, where it is silent, the authors' code, except for iterations, batch and
-/// learning rate, which fit two CPU cores. Options that go beyond the paper say so here; TrainConfigFor names
-/// those that a task turns on.
+/// The defaults follow the paper and, where it is silent, the authors' code, except for iterations,
+/// batch and learning rate, which fit two CPU cores. Options that go beyond the paper say so here;
+/// TrainConfigFor names those that a task turns on.
 struct TrainConfig {
   NetworkConfig network;
   std::uint64_t seed = 1;
-  /// A batch is cut into so many shards, each computed by one thread; gradients are added in shard order, so
-  /// results depend on `shards` but not on the number of threads. On CUDA one shard is used.
+  /// A batch is cut into so many shards, each computed by one thread; gradients are added in shard
+  /// order, so results depend on `shards` but not on the number of threads. On CUDA one shard is
+  /// used.
   int shards = 2;
   double checkpoint_seconds = 60;
 
-  int mids_per_segment = 2;  ///< frames inside each segment that are used besides its start and goal
+  int mids_per_segment =
+      2;  ///< frames inside each segment that are used besides its start and goal
 
-  /// "none" (paper) or "dihedral": the 8 flips and quarter turns of a picture, for square pictures from
-  /// straight above of worlds without a preferred direction. Turned pictures get all labels of the original.
+  /// "none" (paper) or "dihedral": the 8 flips and quarter turns of a picture, for square pictures
+  /// from straight above of worlds without a preferred direction. Turned pictures get all labels of
+  /// the original.
   std::string augment = "none";
   /// Encodings cached of each frame; with dihedral, of so many of the 8 turned pictures (1 to 8).
   int hidden_variants = 1;
 
-  /// Beyond the paper: weight of pixels that differ from the mean training picture, 0 = plain L1. In scenes that
-  /// are mostly one background the plain L1 is slow to learn that there are objects at all.
+  /// Beyond the paper: weight of pixels that differ from the mean training picture, 0 = plain L1.
+  /// In scenes that are mostly one background the plain L1 is slow to learn that there are objects
+  /// at all.
   double focus = 0.0;
 
-  StageConfig classifier;        ///< C, and the second classifier
-  StageConfig encoder_decoder;   ///< f_enc and f_dec
-  StageConfig transform_hidden;  ///< beyond the paper: T against encodings of the goal pictures; may be 0
-  StageConfig transform_image;   ///< the paper's loss of T through the frozen decoder
-  StageConfig heads;             ///< V, Q, p, f
+  StageConfig classifier;       ///< C, and the second classifier
+  StageConfig encoder_decoder;  ///< f_enc and f_dec
+  StageConfig
+      transform_hidden;  ///< beyond the paper: T against encodings of the goal pictures; may be 0
+  StageConfig transform_image;  ///< the paper's loss of T through the frozen decoder
+  StageConfig heads;            ///< V, Q, p, f
 
-  double lambda = 1e-3;         ///< weight of C's cross-entropy on the second picture (authors' code)
-  int linked_steps = 2;         ///< transforms trained one after another (paper: 2)
-  bool repeat_last = true;      ///< after a trial's last action the same action again (authors' code); else no loss
-  double start_share = 0.5;     ///< share of T's samples that begin at a segment's first frame, not inside
-  /// Beyond the paper: weight of the loss of a head like f on T's states, passed on to T, so that T keeps in
-  /// the hidden state whether the action succeeded. 0 = off.
+  double lambda = 1e-3;  ///< weight of C's cross-entropy on the second picture (authors' code)
+  int linked_steps = 2;  ///< transforms trained one after another (paper: 2)
+  bool repeat_last =
+      true;  ///< after a trial's last action the same action again (authors' code); else no loss
+  double start_share =
+      0.5;  ///< share of T's samples that begin at a segment's first frame, not inside
+  /// Beyond the paper: weight of the loss of a head like f on T's states, passed on to T, so that T
+  /// keeps in the hidden state whether the action succeeded. 0 = off.
   double done_weight = 0.0;
-  /// Beyond the paper: share of the heads' loss on states imagined by T (chains of whole plans); 0 = the paper's.
+  /// Beyond the paper: share of the heads' loss on states imagined by T (chains of whole plans); 0
+  /// = the paper's.
   double imagined_share = 0.5;
 };
 
-/// The configuration a task trains with by default. Throws std::invalid_argument for an unknown task.
+/// The configuration a task trains with by default. Throws std::invalid_argument for an unknown
+/// task.
 TrainConfig TrainConfigFor(const std::string& task);
 
 /// Scales the iterations of every stage so that T's (hidden + image) become `transform_iterations`.

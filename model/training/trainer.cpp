@@ -19,7 +19,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// Only what a result depends on goes into its key, so that changing the heads does not train the encoder anew.
+/// Only what a result depends on goes into its key, so that changing the heads does not train the
+/// encoder anew.
 std::string KeyOf(const json& inputs) { return HexText(HashText(inputs.dump())); }
 
 json PictureNetwork(const NetworkConfig& c) {
@@ -51,12 +52,14 @@ SampleSet ReadSamplesOfTask(const TrialFile& file, const TrainConfig& config,
   SampleSet samples = ReadSamples(file, config.mids_per_segment);
   if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");
   if (samples.task != task) {
-    throw DataError(file.path() + ": holds trials of '" + samples.task + "', not of '" + task + "'");
+    throw DataError(file.path() + ": holds trials of '" + samples.task + "', not of '" + task +
+                    "'");
   }
   const NetworkConfig& n = config.network;
   if (samples.num_actions != n.num_actions || samples.width != n.image_width ||
       samples.height != n.image_height) {
-    throw DataError(file.path() + ": number of actions or picture size differ from the configuration");
+    throw DataError(file.path() +
+                    ": number of actions or picture size differ from the configuration");
   }
   return samples;
 }
@@ -66,7 +69,8 @@ ProgressFn ProgressOf(const std::string& what) {
   return [line](std::int64_t done, std::int64_t total) { line->Show(done, total); };
 }
 
-std::string CachePath(const TrainOptions& options, const std::string& name, const std::string& key) {
+std::string CachePath(const TrainOptions& options, const std::string& name,
+                      const std::string& key) {
   const std::string folder = options.folder + "/cache";
   fs::create_directories(folder);
   return folder + "/" + name + "-" + key;
@@ -94,10 +98,9 @@ struct Trainer::Impl {
         data_hash(file.ContentHash()),
         data_key(KeyOf({"data-1", data_hash, c.mids_per_segment})),
         pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
-        context{config,  samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
+        context{config, samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
                 {}} {
-    context.mean_picture =
-        pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
+    context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) from_hash = HexText(WeightsFileHash(o.from));
   }
 
@@ -105,7 +108,8 @@ struct Trainer::Impl {
     return options.stages.empty() || options.stages.count(stage) > 0;
   }
 
-  /// First weights of one network: from the weights file asked for, or random, by the stage's own seed.
+  /// First weights of one network: from the weights file asked for, or random, by the stage's own
+  /// seed.
   void Initialise(const std::string& prefix, torch::nn::Module* module) const {
     torch::manual_seed(Mix64(config.seed ^ HashText(prefix)));
     module->to(torch::kCPU);
@@ -138,15 +142,17 @@ struct Trainer::Impl {
     return KeyOf({"encoder-1", BaseKey(), PictureNetwork(config.network), config.augment,
                   config.focus, config.encoder_decoder});
   }
-  std::string HiddenKey() const { return KeyOf({"hidden-1", EncoderKey(), config.hidden_variants}); }
+  std::string HiddenKey() const {
+    return KeyOf({"hidden-1", EncoderKey(), config.hidden_variants});
+  }
   std::string TransformHiddenKey() const {
     return KeyOf({"transform-hidden-1", HiddenKey(), TransformNetwork(config.network),
                   HeadNetwork(config.network), config.transform_hidden, config.linked_steps,
                   config.repeat_last, config.start_share, config.done_weight});
   }
   std::string TransformKey() const {
-    return KeyOf({"transform-image-1", TransformHiddenKey(), ClassifierKey(), config.transform_image,
-                  config.lambda});
+    return KeyOf({"transform-image-1", TransformHiddenKey(), ClassifierKey(),
+                  config.transform_image, config.lambda});
   }
   std::string HeadsKey() const {
     return KeyOf({"heads-1", TransformKey(), config.heads, config.imagined_share});
@@ -157,8 +163,9 @@ struct Trainer::Impl {
     if (Wants(wanted_by)) {
       RunStage(stage, RunOf(key));
     } else if (!LoadFinished(stage, RunOf(key))) {
-      throw std::invalid_argument("stage '" + wanted_by + "' has not been trained from these inputs in " +
-                                  options.folder + "; ask for it, too");
+      throw std::invalid_argument("stage '" + wanted_by +
+                                  "' has not been trained from these inputs in " + options.folder +
+                                  "; ask for it, too");
     }
   }
 
@@ -175,10 +182,10 @@ struct Trainer::Impl {
 
   void Encode() {
     const NetworkConfig& n = config.network;
-    hidden = std::make_unique<HiddenCache>(
-        CachePath(options, "hidden", HiddenKey()), pictures, samples.frames.size(),
-        config.hidden_variants, context.networks.encoder, n, options.threads, context.device,
-        ProgressOf("encodings"));
+    hidden = std::make_unique<HiddenCache>(CachePath(options, "hidden", HiddenKey()), pictures,
+                                           samples.frames.size(), config.hidden_variants,
+                                           context.networks.encoder, n, options.threads,
+                                           context.device, ProgressOf("encodings"));
     context.hidden = hidden.get();
   }
 

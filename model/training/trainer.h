@@ -16,16 +16,18 @@ struct TrainOptions {
   std::string from;    ///< a weights file to begin from; empty = from random weights
   std::string device = "cpu";
   int threads = 2;
-  /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder, transform, heads.
+  /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder,
+  /// transform, heads.
   std::set<std::string> stages;
 };
 
-/// The whole training order (DESIGN §5): C and a second classifier, encoder and decoder, T, then V, Q, p, f.
-/// Each stage resumes from its checkpoint, and is skipped when it was already trained from the same inputs.
-/// One object one run; not thread-safe. It uses `threads` threads inside.
+/// The whole training order (DESIGN §5): C and a second classifier, encoder and decoder, T, then V,
+/// Q, p, f. Each stage resumes from its checkpoint, and is skipped when it was already trained from
+/// the same inputs. One object one run; not thread-safe. It uses `threads` threads inside.
 class Trainer {
  public:
-  /// Reads labels and builds the picture cache. Throws DataError, WeightsError, std::invalid_argument.
+  /// Reads labels and builds the picture cache. Throws DataError, WeightsError,
+  /// std::invalid_argument.
   Trainer(const TrainConfig& config, const TrainOptions& options);
   ~Trainer();
 

@@ -26,8 +26,9 @@ class TransformStage : public Stage {
           random->Below(static_cast<std::int64_t>(segments_.size())))];
       chains.push_back(MakeChain(context_, s, DrawStart(context_.segment(s), random),
                                  context_.config.linked_steps, context_.config.repeat_last));
-      variants.push_back(
-          variant >= 0 ? variant : static_cast<int>(random->Below(context_.config.hidden_variants)));
+      variants.push_back(variant >= 0
+                             ? variant
+                             : static_cast<int>(random->Below(context_.config.hidden_variants)));
     }
     return {context_, std::move(chains), std::move(variants)};
   }
@@ -47,7 +48,8 @@ class TransformStage : public Stage {
 
  private:
   int DrawStart(const SegmentSample& segment, CounterRandom* random) const {
-    if (segment.mids.empty() || random->Uniform() < context_.config.start_share) return segment.start;
+    if (segment.mids.empty() || random->Uniform() < context_.config.start_share)
+      return segment.start;
     return segment.mids[static_cast<std::size_t>(
         random->Below(static_cast<std::int64_t>(segment.mids.size())))];
   }
@@ -136,9 +138,8 @@ class TransformImageStage : public TransformStage {
   void AddClassifierLoss(const torch::Tensor& x, const ChainBatch& batch, int step,
                          LossParts* result) const {
     Networks networks = context_.networks;
-    const torch::Tensor entropy =
-        torch::cross_entropy_loss(networks.classifier->forward(x), batch.Actions(step), {},
-                                  at::Reduction::None);
+    const torch::Tensor entropy = torch::cross_entropy_loss(
+        networks.classifier->forward(x), batch.Actions(step), {}, at::Reduction::None);
     const torch::Tensor mean = (entropy * batch.Weights(step) * batch.Succeeded(step)).mean();
     result->loss = result->loss + context_.config.lambda * mean;
     result->parts.emplace_back("classifier", mean.item<double>());

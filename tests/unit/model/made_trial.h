@@ -9,8 +9,8 @@
 namespace prospect::model {
 
 /// A small valid trial made by hand: one frame before the first action, then `segments` segments of
-/// `length` frames whose action is (seed + segment) % 3, all successful unless `fails`, when the last one
-/// fails. Images: a background, and a square whose place tells the segment.
+/// `length` frames whose action is (seed + segment) % 3, all successful unless `fails`, when the
+/// last one fails. Images: a background, and a square whose place tells the segment.
 inline Trial MadeTrial(std::uint64_t seed, int segments = 2, bool fails = false, int length = 4,
                        int size = 8, int num_actions = 3) {
   Trial t;

@@ -41,8 +41,8 @@ TEST(Networks, HaveThePapersShapes) {
 
 TEST(Networks, HaveTheAuthorsNumberOfWeights) {
   const Networks n{NetworkConfig{}};
-  EXPECT_EQ(ParameterCount(*n.encoder), 442'088);  // costar-facts 1.2
-  EXPECT_EQ(ParameterCount(*n.value), 233'953);    // costar-facts 1.6
+  EXPECT_EQ(ParameterCount(*n.encoder), 442'088);  // as the authors count it
+  EXPECT_EQ(ParameterCount(*n.value), 233'953);    // as the authors count it
   int64_t planning = 0;
   for (const auto& [name, module] : n.named()) {
     if (name.find("classifier") == std::string::npos) planning += ParameterCount(*module);
@@ -259,7 +259,8 @@ TEST_F(EngineTest, ARowDoesNotDependOnItsBatchMatesOrThreads) {
   const std::vector<Prediction> together = engine_->Expand(rows);
   const auto alone = LoadTorchEngine(path_, 1);
   ASSERT_EQ(together.size(), rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) ExpectSame(together[i], alone->Expand({rows[i]})[0]);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    ExpectSame(together[i], alone->Expand({rows[i]})[0]);
   EXPECT_NE(together[0].h, together[1].h);
   EXPECT_EQ(engine_->fingerprint(), alone->fingerprint());
 }
@@ -273,7 +274,8 @@ TEST_F(EngineTest, AnswersAreThoseOfTheNetworks) {
   networks_.SetTraining(false);
   const auto picture = Picture(2);
   const torch::Tensor x =
-      torch::tensor(std::vector<float>(picture.begin(), picture.end())).view({1, 32, 32, 3}) / 255.0;
+      torch::tensor(std::vector<float>(picture.begin(), picture.end())).view({1, 32, 32, 3}) /
+      255.0;
   const torch::Tensor h = networks_.encoder->forward(x.permute({0, 3, 1, 2}).contiguous());
   const Hidden mine = engine_->Encode(picture.data());
   EXPECT_LT((torch::tensor(mine) - h.flatten()).abs().max().item<float>(), 1e-5F);
@@ -282,7 +284,8 @@ TEST_F(EngineTest, AnswersAreThoseOfTheNetworks) {
   EXPECT_LT((torch::tensor(answer.h) - next.flatten()).abs().max().item<float>(), 1e-5F);
   EXPECT_NEAR(answer.value, torch::sigmoid(networks_.value->forward(next)).item<float>(), 1e-5F);
   EXPECT_NEAR(answer.done,
-              torch::sigmoid(networks_.f->forward(h, next, torch::tensor({2}))).item<float>(), 1e-5F);
+              torch::sigmoid(networks_.f->forward(h, next, torch::tensor({2}))).item<float>(),
+              1e-5F);
 }
 
 TEST_F(EngineTest, RootsAreDoneAndPicturesComeOut) {

@@ -56,7 +56,8 @@ TEST(Samples, FramesInsideAreWellBeforeTheEnd) {
   const SampleSet set = Samples(false, 20);
   std::set<int> seen;
   for (const int slot : set.segments[1].mids) seen.insert(FrameOf(set, slot));
-  // Segment 1 begins at 7 and ends at 13; ticks are 0.1 s, so 8, 9 and 10 are at least 0.3 s before.
+  // Segment 1 begins at 7 and ends at 13; ticks are 0.1 s, so 8, 9 and 10 are at least 0.3 s
+  // before.
   EXPECT_EQ(seen, (std::set<int>{8, 9, 10}));
 }
 

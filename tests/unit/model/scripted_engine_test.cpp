@@ -79,7 +79,10 @@ TEST(RowPool, DoesEveryRowOnce) {
 
 TEST(RowPool, PassesAFailureOnAndGoesOnWorking) {
   RowPool pool(3, [] {});
-  EXPECT_THROW(pool.Run(20, [](std::size_t i) { if (i == 7) throw std::runtime_error("row"); }),
+  EXPECT_THROW(pool.Run(20,
+                        [](std::size_t i) {
+                          if (i == 7) throw std::runtime_error("row");
+                        }),
                std::runtime_error);
   std::atomic<int> count{0};
   pool.Run(20, [&](std::size_t) { ++count; });

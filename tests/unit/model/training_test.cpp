@@ -129,7 +129,8 @@ class EncoderRun {
   torch::Tensor Weights() const {
     std::vector<torch::Tensor> all;
     for (const auto& [name, module] : stage_->modules()) {
-      for (const torch::Tensor& tensor : module->parameters()) all.push_back(tensor.detach().flatten());
+      for (const torch::Tensor& tensor : module->parameters())
+        all.push_back(tensor.detach().flatten());
     }
     return torch::cat(all).clone();
   }
