@@ -51,6 +51,21 @@ start_deployment() {
   done
 }
 
+# After an episode that missed a service: names the services of this shell that ended on their own, with their last words, and
+# returns the first one's exit status (0: none did).
+dead_service_status() {
+  local file name status first=0
+  for file in "$STATE"/*.pid; do
+    kill -0 "$(cat "$file")" 2>/dev/null && continue
+    wait "$(cat "$file")"
+    status=$?
+    name=$(basename "$file" .pid)
+    say "prospect: $name ended: $(tail -n 1 "$LOGS/$name.log")"
+    [ "$first" = 0 ] && first=$status
+  done
+  return "$first"
+}
+
 # Stops every process: a polite signal first, a hard one after five seconds.
 stop_deployment() {
   local file pid waited=0
