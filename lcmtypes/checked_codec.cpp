@@ -1,5 +1,6 @@
 #include "lcmtypes/checked_codec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -88,6 +89,33 @@ class Walker {
 };
 
 constexpr std::size_t kLargestMessage = std::size_t{1} << 28;  // LCM's own limit
+constexpr std::size_t kSealBytes = 8;
+
+bool HasSeal(const TypeSchema& type) {
+  return !type.fields.empty() && std::strcmp(type.fields.back().name, "seal") == 0;
+}
+
+// Eight bytes at `at`, the first the lowest: the same number on every machine.
+std::uint64_t LittleEndian(const std::uint8_t* at, std::size_t size) {
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i < size; ++i) word |= std::uint64_t{at[i]} << (8 * i);
+  return word;
+}
+
+// FNV-1a's steps over words of eight bytes. Each step is a bijection of the state and of the word,
+// so no change within one word can go unseen. Never 0, which means that there is no seal.
+std::uint64_t SealOf(const std::uint8_t* data, std::size_t size) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL ^ size;
+  for (std::size_t at = 0; at < size; at += 8) {
+    hash = (hash ^ LittleEndian(data + at, std::min<std::size_t>(8, size - at))) * 0x100000001b3ULL;
+    hash ^= hash >> 32;
+  }
+  return hash ? hash : 1;
+}
+
+std::uint64_t SealIn(const std::uint8_t* data, std::size_t size) {
+  return LittleEndian(data + size - kSealBytes, kSealBytes);
+}
 
 }  // namespace
 
@@ -99,6 +127,22 @@ const char* WalkMessage(const TypeSchema& type, const void* data, std::size_t si
   walker.Skip(8);
   if (!walker.WalkStruct(type)) return walker.reason();
   return walker.left() == 0 ? nullptr : "trailing";
+}
+
+bool SealHolds(const TypeSchema& type, const void* data, std::size_t size) {
+  if (!HasSeal(type)) return true;
+  const auto* bytes = static_cast<const std::uint8_t*>(data);
+  const std::uint64_t seal = SealIn(bytes, size);
+  return seal == 0 || seal == SealOf(bytes, size - kSealBytes);
+}
+
+void Seal(const TypeSchema& type, std::vector<std::uint8_t>* bytes) {
+  if (!HasSeal(type)) return;
+  const std::size_t covered = bytes->size() - kSealBytes;
+  const std::uint64_t seal = SealOf(bytes->data(), covered);
+  for (std::size_t i = 0; i < kSealBytes; ++i) {
+    (*bytes)[covered + i] = static_cast<std::uint8_t>(seal >> (8 * i));
+  }
 }
 
 }  // namespace prospect::messages

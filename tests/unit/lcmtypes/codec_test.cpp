@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "lcmtypes/checked_codec.h"
 #include "tests/unit/lcmtypes/random_message.h"
 
@@ -70,6 +73,47 @@ TYPED_TEST(EveryType, SetCountsMakesAMessageEncodable) {
   EXPECT_EQ(bytes, CheckedEncode(message));
 }
 
+// Whatever the walk lets pass, the seal does not: no changed byte is believed.
+TYPED_TEST(EveryType, SealedMessagesCannotBeChanged) {
+  const auto& fields = SchemaOf<TypeParam>().fields;
+  if (std::string(fields.back().name) != "seal") return;
+  std::mt19937_64 random(4);
+  const Bytes whole = CheckedEncode(RandomMessage<TypeParam>(random));
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    Bytes bytes = whole;
+    bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1 + random() % 255));
+    EXPECT_STRNE("ok", ReasonOf<TypeParam>(bytes)) << "byte " << at;
+  }
+}
+
+search_stop_t Stop(std::int64_t search_id) {
+  search_stop_t stop{};
+  stop.search_id = search_id;
+  return stop;
+}
+
+TEST(Seal, IsReportedWhenItDoesNotHold) {
+  Bytes bytes = CheckedEncode(Stop(5));
+  bytes[23] ^= 1;  // the last byte of search_id
+  EXPECT_STREQ("seal", ReasonOf<search_stop_t>(bytes));
+}
+
+TEST(Seal, MayBeMissing) {
+  Bytes bytes = CheckedEncode(Stop(5));
+  std::fill(bytes.end() - 8, bytes.end(), std::uint8_t{0});
+  EXPECT_STREQ("ok", ReasonOf<search_stop_t>(bytes));
+}
+
+TEST(Seal, IsOnEveryTypeThatTravelsAlone) {
+  for (const TypeSchema& type : Schema()) {
+    const bool travels = type.fields[0].name == std::string("utime");
+    // Statistics bring a checksum that the planner makes and checks.
+    const char* last = travels && std::string(type.name) != "search_statistics_t" ? "seal" : "";
+    const bool sealed = std::string(type.fields.back().name) == "seal";
+    EXPECT_EQ(sealed, std::string(last) == "seal") << type.name;
+  }
+}
+
 // path_t: fingerprint, int32 num_actions, bytes.
 constexpr std::size_t kPathCount = 8;
 
@@ -119,8 +163,9 @@ TEST(LengthWalk, RefusesBadCountsOfNestedMessages) {
   request.paths = {{1, {5}}, {0, {}}};
   SetCounts(request);
   Bytes bytes = CheckedEncode(request);
-  PutInt32(bytes, bytes.size() - 4,
-           1);  // the second path now announces an action that is not there
+  // The second path now announces more actions than there are bytes left, those of the seal
+  // included.
+  PutInt32(bytes, bytes.size() - 12, 9);
   EXPECT_STREQ("length", ReasonOf<expand_request_t>(bytes));
 }
 
