@@ -6,69 +6,51 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "model/engine.h"
-#include "model/scripted_engine.h"
 #include "services/common/common_options.h"
 #include "services/common/health_monitor.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
+#include "services/model/engine_choice.h"
 #include "services/model/model_server.h"
 
 namespace {
 
 using namespace prospect::services;
 
-constexpr char kScripted[] = "scripted";
-
 struct Options {
   CommonOptions common;
   ModelServerOptions server;
-  std::string weights;
-  int threads = 2;
+  EngineChoice engine;
   int cache_mb = 64;
 };
 
 void AddOptions(CLI::App& app, Options& options) {
   AddCommonOptions(app, options.common);
-  app.add_option("--weights", options.weights,
-                 "safetensors file, or 'scripted' for the networkless engine of tests")
+  app.add_option("--weights", options.engine.weights,
+                 "safetensors file; without networks: scripted[:N], scripted-tree, "
+                 "replay:FILE")
       ->envname("PROSPECT_WEIGHTS")
       ->required();
-  app.add_option("--threads", options.threads, "threads of the networks")
+  app.add_option("--threads", options.engine.threads, "threads of the networks")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  app.add_option("--batch", options.server.batch, "most paths a batch")
+  app.add_option("--max-batch,--batch", options.server.batch, "most paths a batch")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  app.add_option("--fixed-cost", options.engine.fixed_cost,
+                 "A,B: a batch takes A ms + B ms a row, as on a device (for measurements)");
+  app.add_option("--memory-mb", options.engine.memory_mb,
+                 "answers remembered by content, across searches, MB; 0: none")
+      ->check(CLI::Range(0, 65536))
+      ->capture_default_str();
+  app.add_option("--record-engine", options.engine.record,
+                 "write all questions and answers to this file, for --weights replay:FILE");
   app.add_option("--cache-mb", options.cache_mb, "hidden states of one search, MB")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();
   app.add_option("--queue", options.server.queue_paths, "paths that may wait before BUSY")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-}
-
-// "scripted" offers the first four actions of the table; "scripted:N" the first N.
-std::unique_ptr<prospect::model::Engine> MakeScripted(const std::string& weights) {
-  prospect::model::ScriptedOptions options;
-  if (weights != kScripted) {
-    try {
-      options.offered_actions = std::stoi(weights.substr(sizeof kScripted));
-    } catch (const std::exception&) {
-      throw ExitError(kExitUsage, "--weights " + weights +
-                                      ": say scripted, or scripted:N with N actions offered");
-    }
-  }
-  return std::make_unique<prospect::model::ScriptedEngine>(options);
-}
-
-std::unique_ptr<prospect::model::Engine> LoadEngine(const Options& options) {
-  if (options.weights.rfind(kScripted, 0) == 0) return MakeScripted(options.weights);
-  try {
-    return prospect::model::LoadTorchEngine(options.weights, options.threads);
-  } catch (const std::exception& error) {
-    throw ExitError(kExitWeights, error.what());
-  }
 }
 
 int Run(int argc, char** argv) {
@@ -83,7 +65,7 @@ int Run(int argc, char** argv) {
   ApplyCommonOptions(options.common, "model");
   options.server.cache_bytes = static_cast<std::size_t>(options.cache_mb) << 20;
 
-  const auto engine = LoadEngine(options);
+  const auto engine = MakeEngine(options.engine);
   Bus bus(options.common.bus);
   HealthMonitor monitor(bus);
   ModelServer server(bus, *engine, options.server);

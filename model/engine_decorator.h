@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "model/engine.h"
+
+namespace prospect::model {
+
+/// An engine that stands around another and passes every call on: those that change one thing
+/// about an engine (its time, its memory, what is written down) derive from it and override only
+/// that. Owns the inner engine. As thread-safe as the inner one.
+class EngineDecorator : public Engine {
+ public:
+  explicit EngineDecorator(std::unique_ptr<Engine> inner) : inner_(std::move(inner)) {}
+
+  Hidden Encode(const std::uint8_t* rgb) override { return inner_->Encode(rgb); }
+  Prediction Evaluate(const float* h0, const float* h, int previous_action) override {
+    return inner_->Evaluate(h0, h, previous_action);
+  }
+  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override {
+    return inner_->Expand(rows);
+  }
+  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override {
+    return inner_->Decode(states);
+  }
+  std::vector<float> Classify(const std::uint8_t* rgb) override { return inner_->Classify(rgb); }
+  const EngineInfo& info() const override { return inner_->info(); }
+  std::uint64_t weights_hash() const override { return inner_->weights_hash(); }
+  std::uint64_t fingerprint() const override { return inner_->fingerprint(); }
+
+ protected:
+  Engine& inner() { return *inner_; }
+  const Engine& inner() const { return *inner_; }
+
+ private:
+  std::unique_ptr<Engine> inner_;
+};
+
+}  // namespace prospect::model
