@@ -15,6 +15,16 @@ has_multicast_route() {
   case "$BUS" in udpm://*) ip route get "$host" >/dev/null 2>&1 ;; *) true ;; esac
 }
 
+# The faults in $CHAOS for the process of this number: seeds move on, so that processes do not all miss the same messages.
+chaos_for() {
+  local text=${CHAOS:-} rest=
+  while [[ $text =~ ^(.*)seed=([0-9]+)(.*)$ ]]; do
+    text=${BASH_REMATCH[1]}
+    rest="seed=$((BASH_REMATCH[2] + $1))${BASH_REMATCH[3]}$rest"
+  done
+  printf '%s' "$text$rest"
+}
+
 # start_service NAME PROGRAM ARGS...: in the background, one log a service, its process id in the state folder.
 start_service() {
   local name=$1
@@ -44,10 +54,10 @@ start_deployment() {
   export PROSPECT_DEPLOYMENT
   printf '%s\n' "$PROSPECT_DEPLOYMENT" >"$STATE/deployment"
   printf '%s\n' "$task" >"$STATE/task"
-  start_service model "$BIN/prospect-model-server" --bus "$BUS" --weights "$weights"
-  start_service simulator "$BIN/prospect-simulator" --bus "$BUS" --task "$task" "$@"
+  start_service model "$BIN/prospect-model-server" --bus "$BUS" --chaos "$(chaos_for 1)" --weights "$weights"
+  start_service simulator "$BIN/prospect-simulator" --bus "$BUS" --chaos "$(chaos_for 2)" --task "$task" "$@"
   for ((i = 1; i <= workers; ++i)); do
-    start_service "worker-$i" "$BIN/prospect-worker" --bus "$BUS"
+    start_service "worker-$i" "$BIN/prospect-worker" --bus "$BUS" --chaos "$(chaos_for $((i + 2)))"
   done
 }
 

@@ -9,6 +9,11 @@
 
 #include <cctype>
 #include <deque>
+#include <iterator>
+#include <mutex>
+
+#include "services/common/chaos.h"
+#include "services/common/clock.h"
 
 namespace prospect::services {
 namespace {
@@ -23,12 +28,20 @@ std::string Quote(const std::string& channel) {
   return pattern;
 }
 
+std::unique_ptr<Chaos> MakeChaos(const std::string& text) {
+  auto rules = ParseChaos(text);
+  if (rules.empty()) return nullptr;
+  for (const auto& rule : rules) spdlog::warn("chaos on what is heard here: {}", rule.text);
+  return std::make_unique<Chaos>(std::move(rules));
+}
+
 }  // namespace
 
 struct Bus::Connection {
   lcm_t* lcm = nullptr;
   int wake_fd = -1;
-  std::deque<RawMessage> arrived;
+  std::mutex sending;  // LCM's tcpq provider mixes up what two threads send at once
+  std::vector<RawMessage> arrived;
   bool out_of_memory = false;
 
   ~Connection() {
@@ -74,8 +87,10 @@ struct Bus::Connection {
   }
 };
 
-Bus::Bus(const std::string& url)
-    : url_(ResolveBusUrl(url)), connection_(std::make_unique<Connection>()) {
+Bus::Bus(const std::string& url, const std::string& chaos)
+    : url_(ResolveBusUrl(url)),
+      chaos_(MakeChaos(chaos.empty() ? ChaosText() : chaos)),
+      connection_(std::make_unique<Connection>()) {
   connection_->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   connection_->lcm = lcm_create(url_.c_str());
   // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes
@@ -107,18 +122,33 @@ void Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
 }
 
 bool Bus::PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
+  const std::lock_guard<std::mutex> lock(connection_->sending);
   return lcm_publish(connection_->lcm, channel.c_str(), bytes.data(),
                      static_cast<unsigned>(bytes.size())) == 0;
 }
 
+// Waits for messages and takes them over; with chaos, those whose time has come.
+void Bus::Listen(int timeout_ms) {
+  auto& fresh = connection_->arrived;
+  connection_->Wait(chaos_ ? static_cast<int>(chaos_->Remaining(SteadyMs(), timeout_ms))
+                           : timeout_ms);
+  connection_->Drain();
+  std::vector<RawMessage> taken;
+  taken.swap(fresh);
+  if (chaos_) {
+    for (auto& message : taken) chaos_->Take(std::move(message), SteadyMs());
+    taken = chaos_->Release(SteadyMs());
+  }
+  std::move(taken.begin(), taken.end(), std::back_inserter(arrived_));
+}
+
 int Bus::Poll(int timeout_ms) {
   // What an earlier Poll() left (a handler threw) goes first and does not wait.
-  if (connection_->arrived.empty()) connection_->Wait(timeout_ms);
-  connection_->Drain();
+  if (arrived_.size() < kMaxPerPoll) Listen(arrived_.empty() ? timeout_ms : 0);
   int taken = 0;
-  while (!connection_->arrived.empty() && taken < kMaxPerPoll) {
-    const RawMessage message = std::move(connection_->arrived.front());
-    connection_->arrived.pop_front();
+  while (!arrived_.empty() && taken < kMaxPerPoll) {
+    const RawMessage message = std::move(arrived_.front());
+    arrived_.pop_front();
     ++taken;
     Dispatch(message);
   }
@@ -155,6 +185,10 @@ std::int64_t Bus::refused() const {
     for (const auto& [reason, count] : counters.refused) sum += count;
   }
   return sum;
+}
+
+std::map<std::string, std::int64_t> Bus::chaos_counters() const {
+  return chaos_ ? chaos_->counters() : std::map<std::string, std::int64_t>{};
 }
 
 void Bus::CountRefused(const std::string& channel, const std::string& reason) {

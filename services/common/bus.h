@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,22 +12,18 @@
 #include "lcmtypes/validate.h"
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
+#include "services/common/raw_message.h"
 #include "services/common/run_main.h"
 
 namespace prospect::services {
+
+class Chaos;
 
 /// The bus cannot be opened or subscribed to. The message says what to do; the exit status is
 /// kExitBus.
 class BusError : public ExitError {
  public:
   explicit BusError(const std::string& message) : ExitError(kExitBus, message) {}
-};
-
-/// A message as it came, copied out of LCM.
-struct RawMessage {
-  std::string channel;
-  std::int64_t received_utime;  ///< when this host received it, microseconds since the epoch
-  std::vector<std::uint8_t> bytes;
 };
 
 /// What became of the messages of one channel since the bus was opened.
@@ -50,8 +47,10 @@ class Bus {
   /// Opens the bus and proves that it carries: no route or a dead loopback is found out here and
   /// not later.
   /// @param url as ResolveBusUrl takes it; empty for the environment's or the default
-  /// @throws BusError saying what to do
-  explicit Bus(const std::string& url = "");
+  /// @param chaos faults to be suffered, as ParseChaos takes them; empty for the process's own
+  /// (SetChaos), which by default are none
+  /// @throws BusError saying what to do; std::invalid_argument as ParseChaos does
+  explicit Bus(const std::string& url = "", const std::string& chaos = "");
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
@@ -115,6 +114,9 @@ class Bus {
   /// HEALTH like the others.
   void CountRefused(const std::string& channel, const std::string& reason);
 
+  /// What chaos did to this process, by kind; empty without chaos.
+  std::map<std::string, std::int64_t> chaos_counters() const;
+
   /// Bound on the messages that one Poll() hands on, so that a flood cannot keep the loop from its
   /// other duties.
   static constexpr int kMaxPerPoll = 512;
@@ -130,12 +132,15 @@ class Bus {
   struct Connection;  // LCM itself, out of sight of those who include this header
 
   void Open(const std::string& channel, int queue_capacity);
+  void Listen(int timeout_ms);
   void Dispatch(const RawMessage& message);
 
   std::string url_;
   std::map<std::string, std::unique_ptr<Hub>> hubs_;
   std::vector<std::function<void(const RawMessage&)>> raw_handlers_;
   std::map<std::string, ChannelCounters> counters_;
+  std::unique_ptr<Chaos> chaos_;    // null: none
+  std::deque<RawMessage> arrived_;  // to be handed on
   std::unique_ptr<Connection> connection_;
 };
 

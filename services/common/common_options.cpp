@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
+#include "services/common/chaos.h"
 #include "services/common/ids.h"
 #include "services/common/log.h"
 #include "services/common/signals.h"
@@ -16,6 +17,12 @@ void AddCommonOptions(CLI::App& app, CommonOptions& options) {
       ->envname("PROSPECT_LOG_LEVEL")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
+  app.add_option("--chaos", options.chaos,
+                 "for tests: faults in what this process hears, such as "
+                 "drop=0.3,delay=20ms,dup=0.05,reorder=0.1,corrupt=0.01,seed=1,channel=SEARCH_.*; "
+                 "several separated by ';'")
+      ->envname("PROSPECT_CHAOS")
+      ->check(ChaosDefect);
   app.add_option("--deployment", options.deployment,
                  "id that all processes of one launch share; 0 joins whatever is on the bus")
       ->envname("PROSPECT_DEPLOYMENT")
@@ -26,6 +33,7 @@ void AddCommonOptions(CLI::App& app, CommonOptions& options) {
 void ApplyCommonOptions(const CommonOptions& options, const std::string& component) {
   SetUpLog(component, options.log_level);
   SetDeploymentId(options.deployment);
+  SetChaos(options.chaos);
   InstallStopSignals();
 }
 

@@ -13,14 +13,16 @@ namespace prospect::services {
 struct CommonOptions {
   std::string bus;                 ///< --bus URL; empty: LCM_DEFAULT_URL, then the default
   std::string log_level = "info";  ///< --log-level, PROSPECT_LOG_LEVEL
+  std::string chaos;               ///< --chaos, PROSPECT_CHAOS: as ParseChaos takes it; empty: none
   std::int64_t deployment =
       0;  ///< --deployment, PROSPECT_DEPLOYMENT; 0: joins whatever is on the bus
 };
 
-/// Adds --bus, --log-level and --deployment. `options` must outlive the parsing.
+/// Adds --bus, --log-level, --chaos and --deployment. `options` must outlive the parsing.
 void AddCommonOptions(CLI::App& app, CommonOptions& options);
 
-/// Call after parsing: sets up the log, takes over the deployment id, installs the stop signals.
+/// Call after parsing: sets up the log, takes over deployment id and chaos, installs the stop
+/// signals.
 /// @param component the program's short name, for the log
 void ApplyCommonOptions(const CommonOptions& options, const std::string& component);
 

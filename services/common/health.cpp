@@ -71,6 +71,9 @@ void HealthBeacon::FillCounters() {
       message_.counters.push_back({channel + ": " + reason, count});
     }
   }
+  for (const auto& [name, count] : bus_.chaos_counters()) {
+    message_.counters.push_back({"chaos: " + name, count});
+  }
   messages::SetCounts(message_);
 }
 

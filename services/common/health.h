@@ -10,8 +10,9 @@
 namespace prospect::services {
 
 /// Says on HEALTH that this process lives: once a second and on change. Adds the bus's counters of
-/// refused messages, memory and processor time by itself. Call Tick() in each turn of the loop;
-/// nothing runs by itself. Belongs to the bus's thread; the bus must outlive it.
+/// refused messages (and of chaos, if any), memory and processor time by itself. Call Tick() in
+/// each turn of the loop; nothing runs by itself. Belongs to the bus's thread; the bus must outlive
+/// it.
 class HealthBeacon {
  public:
   /// Starts in STATE_STARTING with a random instance id. @param service "simulator", "model",

@@ -3,3 +3,4 @@ prospect_bus_test(services_health_test SOURCES health_test.cpp LIBS prospect_bus
 prospect_bus_test(services_survey_test SOURCES survey_test.cpp LIBS prospect_survey)
 prospect_bus_test(services_wait_test SOURCES service_wait_test.cpp LIBS prospect_survey)
 prospect_test(services_common_test SOURCES common_test.cpp LIBS prospect_bus)
+prospect_bus_test(services_chaos_test SOURCES chaos_test.cpp LIBS prospect_bus)

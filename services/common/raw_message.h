@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace prospect::services {
+
+/// A message as it came, copied out of LCM.
+struct RawMessage {
+  std::string channel;
+  std::int64_t received_utime;  ///< when this host received it, microseconds since the epoch
+  std::vector<std::uint8_t> bytes;
+};
+
+}  // namespace prospect::services
