@@ -41,7 +41,11 @@ OdeWorld::~OdeWorld() {
 }
 
 void OdeWorld::AddGroundContact(dBodyID body, const dContact& contact) {
-  dJointAttach(dJointCreateContact(world_, contacts_, &contact), body, nullptr);
+  AddContact(body, nullptr, contact);
+}
+
+void OdeWorld::AddContact(dBodyID first, dBodyID second, const dContact& contact) {
+  dJointAttach(dJointCreateContact(world_, contacts_, &contact), first, second);
 }
 
 void OdeWorld::Step(double dt) {

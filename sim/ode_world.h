@@ -25,6 +25,9 @@ class OdeWorld {
   // Joins `body` to the static world by a contact that lasts for the next Step.
   void AddGroundContact(dBodyID body, const dContact& contact);
 
+  // Joins two bodies by a contact that lasts for the next Step; its normal points into `first`.
+  void AddContact(dBodyID first, dBodyID second, const dContact& contact);
+
   // One dWorldStep of `dt` seconds (exact Dantzig solver: no random order, no warm start).
   void Step(double dt);
 
