@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
+
+#include "planner/warm_start.h"
 
 namespace prospect::planner {
 namespace {
+
+// Of SEARCH_STATISTICS, while rollouts go on: what 4 workers at 200 rollouts/s each cost a bus is
+// then 50 kB/s.
+constexpr std::size_t kBytesPerRollout = 60;
 
 TaskRules Checked(TaskRules rules) {
   rules.Validate();
@@ -28,6 +33,7 @@ SharedStatisticsOptions StatisticsOptions(const SearchIdentity& identity) {
   options.search = identity.search;
   options.writer = identity.writer;
   options.lease_us = identity.lease_us;
+  options.bytes_per_rollout = kBytesPerRollout;
   return options;
 }
 
@@ -45,6 +51,10 @@ const char* ToString(StopReason reason) {
       return "deadline";
     case StopReason::kStopped:
       return "stopped";
+    case StopReason::kEvaluations:
+      return "evaluations";
+    case StopReason::kSettled:
+      return "settled";
   }
   return "unknown";
 }
@@ -59,8 +69,10 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       paths_(rules_.num_actions),
       evaluations_(&paths_),
       statistics_(&paths_, StatisticsOptions(identity)),
-      tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))),
-      quota_(parameters_.samples) {
+      claims_(parameters_.samples),
+      settlement_(parameters_.stop_when_proven, parameters_.stop_when_stable),
+      children_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index)),
+                parameters_.seed) {
   if (!PathTree(rules_.num_actions).Valid(executed_)) {
     throw std::invalid_argument("executed actions are not of this task: " + ToString(executed_));
   }
@@ -76,169 +88,63 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
   }
   const PathId id = paths_.Add(path);
   const Stored stored = evaluations_.Put(id, evaluation, fingerprint);
-  Node& node = NodeOf(id);
-  if (node.pending == Pending::kOwn) ++own_evaluations_;
-  node.pending = Pending::kNo;
+  if (stored == Stored::kReplaced) children_.Forget(id);
+  if (NodeOf(id).pending == Pending::kOwn) ++own_evaluations_;
+  SetPending(id, Pending::kNo, 0);
   UpdateExhausted(id);
   if (stored == Stored::kNew) return Delivery::kNew;
   return stored == Stored::kReplaced ? Delivery::kReplaced : Delivery::kDuplicate;
 }
 
 void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us) {
+  if (!TakesFromOthers()) return;
   for (const Path& path : paths) {
     if (path.size() > kMaxPathLength || !rules_.Legal(executed_, path)) continue;
     const PathId id = paths_.Add(path);
-    Node& node = NodeOf(id);
-    if (evaluations_.Has(id) || node.pending == Pending::kOwn) continue;
-    node.pending = Pending::kForeign;
-    node.pending_since_us = now_us;
+    if (evaluations_.Has(id) || NodeOf(id).pending == Pending::kOwn) continue;
+    SetPending(id, Pending::kForeign, now_us);
   }
 }
 
 int Search::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
+  const bool apart_until_done = parameters_.sharing == Sharing::kMergeAtEnd && finished(now_us);
+  if (!TakesFromOthers() && !apart_until_done) return 0;
+  if (parameters_.sharing == Sharing::kFull) claims_.Share(OwnBegun(), now_us);
   const int changed = statistics_.Merge(batch, now_us);
-  quota_ = std::min(quota_, FairShare());  // others were faster than the last tick knew
   Absorb();
   return changed;
 }
 
-// --- one rollout
+// Workers that search apart do not; who only watches does.
+bool Search::TakesFromOthers() const { return parameters_.sharing == Sharing::kFull || !advanced_; }
 
-Search::Node& Search::NodeOf(PathId id) {
-  if (id >= static_cast<int>(nodes_.size())) nodes_.resize(paths_.size());
-  return nodes_[id];
-}
-
-// What the task allows after a node, worked out when a rollout first gets there.
-void Search::ResolveRules(PathId id) {
-  if (NodeOf(id).first_allowed >= 0) return;
-  const Path path = paths_.PathOf(id);
-  Node& node = NodeOf(id);
-  node.complete = rules_.Complete(executed_, path);
-  node.first_allowed = static_cast<std::int32_t>(allowed_.size());
-  for (const int action : rules_.AllowedActions(executed_, path)) {
-    allowed_.push_back(static_cast<std::uint8_t>(action));
-    ++node.num_allowed;
+void Search::WarmStart(const Search& before) {
+  Path expected = before.executed_;
+  if (executed_.empty()) return;
+  expected.push_back(executed_.back());
+  if (expected != executed_ || before.rules_.num_actions != rules_.num_actions) return;
+  const std::vector<WarmHint> hints =
+      ReadWarmHints(before.paths_, before.evaluations_, before.statistics_, executed_.back(),
+                    before.depth_, parameters_.warm_paths);
+  for (auto hint = hints.rbegin(); hint != hints.rend(); ++hint) {
+    if (!rules_.Legal(executed_, hint->path)) continue;
+    const PathId id = paths_.Add(hint->path);
+    warm_order_.push_back(id);
+    if (id >= static_cast<int>(warm_q_.size())) warm_q_.resize(paths_.size(), -1.0);
+    warm_q_[id] = hint->score;
   }
-}
-
-// EVALUATE: the node's value if nothing below it is to be explored. Needs the node's evaluation.
-bool Search::EndsHere(PathId id, double* value) {
-  ResolveRules(id);
-  const float v = evaluations_.value(id);
-  *value = v;
-  if (id != kRoot) {
-    if (evaluations_.done(id) < parameters_.c_done) {
-      *value = 0;
-      return true;
-    }
-    if (v < parameters_.v_failed) return true;
-  }
-  return nodes_[id].complete || paths_.depth(id) >= depth_;
-}
-
-bool Search::Permitted(PathId id, int action) const {
-  return evaluations_.p(id)[action] >= parameters_.p_min;
-}
-
-// SAMPLE: the best permitted child, or kNoPath. Exhausted children come last where they are to be
-// skipped.
-PathId Search::SelectChild(PathId id) {
-  const ParentView parent = ViewOf(id);
-  int best_action = -1;
-  std::tuple<bool, double, std::uint64_t> best;
-  const Node node = nodes_[id];
-  for (int i = 0; i < node.num_allowed; ++i) {
-    const int action = allowed_[node.first_allowed + i];
-    if (!Permitted(id, action)) continue;
-    const PathId child = paths_.Find(id, action);
-    const ChildView view = ViewOfChild(id, action, child);
-    const bool fresh = !parameters_.skip_exhausted || !Exhausted(child);
-    const auto ranked = std::make_tuple(fresh, rule_->Score(parent, view), view.tie);
-    if (best_action >= 0 && ranked <= best) continue;
-    best = ranked;
-    best_action = action;
-  }
-  return best_action < 0 ? kNoPath : paths_.Add(id, best_action);
-}
-
-ParentView Search::ViewOf(PathId id) const {
-  const PathTotals& totals = statistics_.totals(id);
-  const Node& node = nodes_[id];
-  ParentView view{};
-  view.visits = totals.visits;
-  view.in_flight = totals.in_flight;
-  view.mean = totals.visits > 0 ? totals.mean() : evaluations_.value(id);
-  for (int i = 0; i < node.num_allowed; ++i) {
-    const int action = allowed_[node.first_allowed + i];
-    if (Permitted(id, action)) view.q_sum += evaluations_.q(id)[action];
-  }
-  return view;
-}
-
-ChildView Search::ViewOfChild(PathId parent, int action, PathId child) const {
-  const PathTotals& totals = statistics_.totals(child);
-  ChildView view;
-  view.q = evaluations_.q(parent)[action];
-  view.visits = totals.visits;
-  view.in_flight = totals.in_flight + ExtraInFlight(child);
-  view.mean = totals.mean();
-  view.best = totals.best;
-  view.tie = HashCombine(tie_seed_, ExtendHash(paths_.hash(parent), action));
-  return view;
-}
-
-// A path that another worker asked for counts as one visit until that worker's own rows say so.
-std::int64_t Search::ExtraInFlight(PathId child) const {
-  if (child == kNoPath || child >= static_cast<int>(nodes_.size())) return 0;
-  if (nodes_[child].pending != Pending::kForeign) return 0;
-  const bool said = statistics_.totals(child).in_flight > statistics_.own_in_flight(child);
-  return said ? 0 : 1;
-}
-
-// Walks on from `*at` as far as evaluations go. kEnded: `*value` is EVALUATE's result for the last
-// node.
-Search::Walked Search::Walk(PathId* at, double* value) {
-  while (evaluations_.Has(*at)) {
-    if (EndsHere(*at, value)) return Walked::kEnded;
-    const PathId child = SelectChild(*at);
-    if (child == kNoPath) {
-      *value = 0;
-      return Walked::kEnded;
-    }
-    *at = child;
-    statistics_.Begin(*at);
-  }
-  return Walked::kBlocked;
-}
-
-// UPDATE, from the last node to the root.
-void Search::BackUp(PathId leaf, double value) {
-  const bool by_plan_score = rule_->backup() == Backup::kPlanScore;
-  if (by_plan_score && leaf != kRoot) value *= evaluations_.done(leaf);
-  statistics_.Complete(leaf, value);
-  for (PathId id = paths_.parent(leaf); id != kNoPath; id = paths_.parent(id)) {
-    if (!by_plan_score) {
-      value *= evaluations_.value(id);
-    } else if (id != kRoot) {
-      value *= evaluations_.done(id);
-    }
-    statistics_.Complete(id, value);
-  }
-}
-
-void Search::GiveUp(PathId leaf) {
-  for (PathId id = leaf; id != kNoPath; id = paths_.parent(id)) statistics_.Cancel(id);
 }
 
 // --- many rollouts
 
 std::vector<Path> Search::Advance(int max_new_leaves, std::int64_t now_us) {
   std::vector<Path> requests;
+  advanced_ = true;
   if (stopped_) return requests;
   statistics_.ExpireLeases(now_us);
-  const int ended = ResumeRollouts(now_us, &requests);
-  StartRollouts(max_new_leaves + ended, now_us, &requests);
+  const int most = max_new_leaves + ResumeRollouts(now_us, &requests);
+  const int asked = StartRollouts(most, now_us, &requests);
+  AskWarmPaths(most - asked, now_us, &requests);
   return requests;
 }
 
@@ -249,10 +155,12 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
     double value = 0;
     if (Walk(&at, &value) == Walked::kEnded) {
       BackUp(at, value);
-      continue;
+    } else if (NodeOf(at).pending == Pending::kNo && OutOfEvaluations()) {
+      GiveUp(at);
+    } else {
+      Request(at, now_us, requests);
+      rollouts_[kept++] = at;
     }
-    Request(at, now_us, requests);
-    rollouts_[kept++] = at;
   }
   const int ended = static_cast<int>(rollouts_.size() - kept);
   rollouts_.resize(kept);
@@ -261,14 +169,14 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
 }
 
 // A rollout whose leaf is already asked for keeps its place in the counts until the end of this
-// call, so that the next one looks elsewhere, and is then given up.
-void Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests) {
+// call, so that the next one looks elsewhere, and is then given up. Returns how many leaves were
+// asked for.
+int Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests) {
   int asked = 0;
   while (asked < max_new_leaves && MayStart(now_us)) {
     PathId at = kRoot;
     double value = 0;
     statistics_.Begin(at);
-    --quota_;
     if (Walk(&at, &value) == Walked::kEnded) {
       BackUp(at, value);
       Absorb();
@@ -280,42 +188,62 @@ void Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<
     }
   }
   for (const PathId leaf : given_up_) GiveUp(leaf);
-  quota_ += static_cast<std::int64_t>(given_up_.size());
   given_up_.clear();
+  return asked;
 }
 
-bool Search::MayStart(std::int64_t now_us) const {
+// Room that rollouts left unused goes to futures that a former search found worth a look.
+void Search::AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests) {
+  for (int asked = 0; asked < most && !warm_order_.empty() && !done(now_us);) {
+    const PathId id = warm_order_.back();
+    warm_order_.pop_back();
+    if (!evaluations_.Has(id) && Request(id, now_us, requests)) ++asked;
+  }
+}
+
+bool Search::MayStart(std::int64_t now_us) {
   if (static_cast<int>(given_up_.size()) > parameters_.collisions) return false;
-  const bool in_turn = quota_ > 0 || statistics_.live_writers() == 1;
-  return in_turn && !done(now_us);
+  return !done(now_us) && MayClaim(now_us);
 }
 
-// Of the rollouts that remain, this worker's part, rounded up.
-std::int64_t Search::FairShare() const {
-  const PathTotals& root = statistics_.totals(kRoot);
-  const std::int64_t live = statistics_.live_writers();
-  const std::int64_t left = parameters_.samples - root.visits - root.in_flight;
-  return (std::max<std::int64_t>(left, 0) + live - 1) / live;
+bool Search::MayClaim(std::int64_t now_us) {
+  if (parameters_.sharing != Sharing::kFull || claims_.Covers(OwnBegun())) return true;
+  const bool news = claims_.news();
+  claims_.Renew(OwnBegun(), statistics_.others(), now_us);
+  if (!news && claims_.news()) hurried_ = true;
+  return claims_.Covers(OwnBegun());
 }
 
 // T: asks for a path unless somebody just did. Returns whether it asked.
 bool Search::Request(PathId id, std::int64_t now_us, std::vector<Path>* requests) {
-  Node& node = NodeOf(id);
+  const Node& node = NodeOf(id);
   if (node.pending == Pending::kOwn) return false;
   const bool fresh = now_us - node.pending_since_us < parameters_.patience_us;
   if (node.pending == Pending::kForeign && fresh) return false;
-  node.pending = Pending::kOwn;
-  node.pending_since_us = now_us;
+  SetPending(id, Pending::kOwn, now_us);
   requests->push_back(paths_.PathOf(id));
   return true;
 }
 
+void Search::SetPending(PathId id, Pending pending, std::int64_t now_us) {
+  Node& node = NodeOf(id);
+  awaited_ += (pending == Pending::kOwn ? 1 : 0) - (node.pending == Pending::kOwn ? 1 : 0);
+  node.pending = pending;
+  node.pending_since_us = now_us;
+}
+
 StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) {
+  if (parameters_.sharing == Sharing::kFull) {
+    statistics_.ExpireLeases(now_us);
+    claims_.Share(OwnBegun(), now_us);
+    claims_.Renew(OwnBegun(), statistics_.others(), now_us);
+    claims_.NoteAnnounced();
+  }
+  hurried_ = false;
+  statistics_.SetClaim(claims_.claimed(), claims_.round());
   statistics_.SetOwnEvaluations(own_evaluations_);
   statistics_.SetFinished(finished(now_us));
-  StatisticsBatch batch = statistics_.MakeBatch(byte_budget, now_us);
-  quota_ = FairShare();
-  return batch;
+  return statistics_.MakeBatch(byte_budget, now_us);
 }
 
 std::vector<Path> Search::MissingEvaluations(int limit) const {
@@ -328,41 +256,12 @@ std::vector<Path> Search::MissingEvaluations(int limit) const {
   return missing;
 }
 
-// --- what is wholly known
-
-void Search::Absorb() {
-  for (const PathId id : statistics_.TakeNewlyVisited()) UpdateExhausted(id);
-}
-
-void Search::UpdateExhausted(PathId id) {
-  while (id != kNoPath && !NodeOf(id).exhausted && NowExhausted(id)) {
-    nodes_[id].exhausted = true;
-    id = paths_.parent(id);
-  }
-}
-
-bool Search::Exhausted(PathId id) const {
-  return id != kNoPath && id < static_cast<int>(nodes_.size()) && nodes_[id].exhausted;
-}
-
-bool Search::NowExhausted(PathId id) {
-  if (!evaluations_.Has(id) || statistics_.totals(id).visits == 0) return false;
-  double value = 0;
-  if (EndsHere(id, &value)) return true;
-  const Node& node = nodes_[id];
-  for (int i = 0; i < node.num_allowed; ++i) {
-    const int action = allowed_[node.first_allowed + i];
-    if (Permitted(id, action) && !Exhausted(paths_.Find(id, action))) return false;
-  }
-  return true;
-}
-
 // --- ending
 
 void Search::Abandon(const Path& path) {
   const PathId id = paths_.Find(path);
   if (id == kNoPath || evaluations_.Has(id)) return;
-  NodeOf(id).pending = Pending::kNo;
+  SetPending(id, Pending::kNo, 0);
   const auto waits = [id](PathId at) { return at == id; };
   for (const PathId at : rollouts_) {
     if (waits(at)) GiveUp(at);
@@ -381,14 +280,36 @@ StopReason Search::stop_reason(std::int64_t now_us) const {
   if (parameters_.deadline_us > 0 && now_us >= parameters_.deadline_us)
     return StopReason::kDeadline;
   if (Exhausted(kRoot)) return StopReason::kExhausted;
+  if (settlement_.settled()) return StopReason::kSettled;
+  if (OutOfEvaluations()) return StopReason::kEvaluations;
   const PathTotals& root = statistics_.totals(kRoot);
-  const bool enough = root.visits + root.in_flight >= parameters_.samples;
-  return enough ? StopReason::kSamples : StopReason::kRunning;
+  const bool apart = parameters_.sharing != Sharing::kFull && advanced_;
+  const std::int64_t begun = apart ? OwnBegun() : root.visits + root.in_flight;
+  return begun >= Budget() ? StopReason::kSamples : StopReason::kRunning;
+}
+
+// Rollouts that are to be done in the tree this search looks at.
+std::int64_t Search::Budget() const {
+  const bool apart = parameters_.sharing != Sharing::kFull && advanced_;
+  const std::int64_t workers = apart ? parameters_.workers : 1;
+  return (parameters_.samples + workers - 1) / workers;
+}
+
+bool Search::OutOfEvaluations() const {
+  return parameters_.evaluations > 0 && evaluations_.size() + awaited_ >= parameters_.evaluations;
+}
+
+// Own N + O at the root.
+std::int64_t Search::OwnBegun() const {
+  const WriterTotals totals = statistics_.own_totals();
+  return totals.rollouts + totals.in_flight;
 }
 
 // --- the answer, and counts
 
-Plan Search::BestPlan() const {
+Plan Search::BestPlan() const { return ReadPlan(Source()); }
+
+PlanSource Search::Source() const {
   PlanSource source;
   source.paths = &paths_;
   source.evaluations = &evaluations_;
@@ -396,7 +317,7 @@ Plan Search::BestPlan() const {
   source.rules = &rules_;
   source.parameters = &parameters_;
   source.executed = executed_;
-  return ReadPlan(source);
+  return source;
 }
 
 std::int64_t Search::rollouts() const { return statistics_.own_totals().rollouts; }

@@ -22,18 +22,29 @@
 #include <memory>
 #include <vector>
 
+#include "planner/child_lists.h"
 #include "planner/evaluation_table.h"
 #include "planner/plan.h"
 #include "planner/plan_reader.h"
+#include "planner/rollout_claims.h"
 #include "planner/search_parameters.h"
 #include "planner/selection_rule.h"
+#include "planner/settlement.h"
 #include "planner/shared_statistics.h"
 #include "planner/task_rules.h"
 
 namespace prospect::planner {
 
 // Why no rollout is started any more.
-enum class StopReason { kRunning, kSamples, kExhausted, kDeadline, kStopped };
+enum class StopReason {
+  kRunning,
+  kSamples,
+  kExhausted,
+  kDeadline,
+  kStopped,
+  kEvaluations,
+  kSettled,
+};
 const char* ToString(StopReason reason);
 
 // Who searches what.
@@ -66,8 +77,16 @@ class Search {
   // Another worker asked for these paths: they count as in flight, and this worker does not ask
   // too, for patience_us.
   void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us);
-  // Other workers' rows; see SharedStatistics::Merge.
+  // Other workers' rows; see SharedStatistics::Merge. Workers that search apart (a search that was
+  // never told to Advance only watches, and takes all) take none until their part is done, and with
+  // Sharing::kNone none ever; the same goes for NoteRequested.
   int Merge(const StatisticsBatch& batch, std::int64_t now_us);
+
+  // The search before this one, whose root is one action back, lends its hints for Q and says which
+  // futures to have evaluated first (planner/warm_start.h). Call it before the first Advance. It
+  // changes which paths are looked at first, never what is known or counted. Nothing happens if the
+  // former search was not of this task or `executed` is not its executed actions and one more.
+  void WarmStart(const Search& before);
 
   // --- what is to be sent
   // Lets every rollout in flight go as far as evaluations allow, then starts new ones until
@@ -77,8 +96,14 @@ class Search {
   // something was delivered or merged, and every 50 ms or so, because a path that another worker
   // asked for is asked for here only after patience_us.
   std::vector<Path> Advance(int max_new_leaves, std::int64_t now_us);
-  // See SharedStatistics::MakeBatch; fills in this worker's totals.
+  // See SharedStatistics::MakeBatch; fills in this worker's totals and renews its claim
+  // (planner/rollout_claims.h). From the first call on, rollouts begin only as far as claims go:
+  // call it every 20 to 50 ms, and before the first Advance where others may be at work, so that
+  // they know of each other.
   StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
+  // This worker had used up its claim and has just renewed it: others may be waiting to hear so.
+  // Send MakeBatch now and not at the next tick. At most once a round.
+  bool WantsExchange() const { return hurried_; }
   // Visited paths whose evaluation was never heard here, at most `limit`: ask for them before
   // BestPlan, or it may differ from other processes' plans.
   std::vector<Path> MissingEvaluations(int limit) const;
@@ -89,9 +114,11 @@ class Search {
   void Abandon(const Path& path);
   // Gives up all rollouts in flight and starts no more. Rows and evaluations are still taken in.
   void Stop();
-  // No rollout will be started: N + O at the root (all writers) reached the samples, every
-  // permitted future is known and visited, the deadline has passed, or Stop. kSamples may turn back
-  // to kRunning when a silent writer's lease ends.
+  // No rollout will be started: N + O at the root (all writers, or this worker's part of the
+  // samples where workers search apart) reached the samples, the evaluations are used up, the
+  // decision is settled, every permitted future is known and visited, the deadline has passed, or
+  // Stop. kSamples may turn back to kRunning when a silent writer's lease ends. Whatever the
+  // reason, BestPlan is the best that is known so far, at any time.
   StopReason stop_reason(std::int64_t now_us) const;
   bool done(std::int64_t now_us) const { return stop_reason(now_us) != StopReason::kRunning; }
   // done, and nothing of this worker's is in flight: its counts are final.
@@ -127,26 +154,39 @@ class Search {
   // How far a rollout came: its leaf has no evaluation, or it ended.
   enum class Walked { kEnded, kBlocked };
 
+  // One rollout: search_rollout.cpp.
   Node& NodeOf(PathId id);
   void ResolveRules(PathId id);
   bool EndsHere(PathId id, double* value);
   bool Permitted(PathId id, int action) const;
+  void ListChildren(PathId id);
+  double QOf(PathId id, int action) const;
   PathId SelectChild(PathId id);
-  ParentView ViewOf(PathId id) const;
-  ChildView ViewOfChild(PathId parent, int action, PathId child) const;
+  ParentView ViewOf(PathId id, const ChildLists::List& list) const;
+  void ViewChildren(PathId id, ChildEntry* entries, int count);
+  int Best(const ChildEntry* entries, int count) const;
   std::int64_t ExtraInFlight(PathId child) const;
   Walked Walk(PathId* at, double* value);
   void BackUp(PathId leaf, double value);
   void GiveUp(PathId leaf);
-  int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
-  void StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
-  bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
-  bool MayStart(std::int64_t now_us) const;
-  std::int64_t FairShare() const;
   void Absorb();
   void UpdateExhausted(PathId id);
   bool Exhausted(PathId id) const;
   bool NowExhausted(PathId id);
+
+  // Many rollouts: search.cpp.
+  int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
+  int StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  void AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests);
+  bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
+  void SetPending(PathId id, Pending pending, std::int64_t now_us);
+  bool MayStart(std::int64_t now_us);
+  bool MayClaim(std::int64_t now_us);
+  bool TakesFromOthers() const;
+  bool OutOfEvaluations() const;
+  std::int64_t OwnBegun() const;
+  std::int64_t Budget() const;
+  PlanSource Source() const;
 
   TaskRules rules_;
   SearchParameters parameters_;
@@ -157,13 +197,21 @@ class Search {
   PathTree paths_;
   EvaluationTable evaluations_;
   SharedStatistics statistics_;
+  RolloutClaims claims_;
+  Settlement settlement_;
+  ChildLists children_;
   std::vector<Node> nodes_;            // by path id
   std::vector<std::uint8_t> allowed_;  // allowed actions of all nodes, one after the other
   std::vector<PathId> rollouts_;       // own rollouts in flight: the path each waits for
   std::vector<PathId> given_up_;       // scratch of StartRollouts
-  std::uint64_t tie_seed_;
+  std::vector<ChildView> views_;       // scratch of SelectChild
+  std::vector<double> scores_;         // scratch of SelectChild
+  std::vector<PathId> warm_order_;     // to have evaluated, most wanted last
+  std::vector<double> warm_q_;         // by path id: hint for Q, below 0 where there is none
   std::int64_t own_evaluations_ = 0;
-  std::int64_t quota_;  // rollouts that may start before the next MakeBatch, if others are live
+  std::int64_t awaited_ = 0;  // paths asked for here and not yet answered
+  bool advanced_ = false;     // a worker, not an observer
+  bool hurried_ = false;
   bool stopped_ = false;
 };
 

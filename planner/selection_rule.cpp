@@ -4,15 +4,27 @@
 #include <limits>
 #include <stdexcept>
 
+#include "planner/gumbel_rule.h"
 #include "planner/path.h"
 
 namespace prospect::planner {
 namespace {
 
-class Paper : public SelectionRule {
+// A rule that looks at one child at a time, by Rule::Of(parent, child).
+template <typename Rule>
+class ChildByChild : public SelectionRule {
+ public:
+  void ScoreAll(const ParentView& parent, const ChildView* children, int count,
+                double* scores) const final {
+    const Rule& rule = static_cast<const Rule&>(*this);
+    for (int i = 0; i < count; ++i) scores[i] = rule.Of(parent, children[i]);
+  }
+};
+
+class Paper : public ChildByChild<Paper> {
  public:
   explicit Paper(double c) : c_(c) {}
-  double Score(const ParentView&, const ChildView& child) const override {
+  double Of(const ParentView&, const ChildView& child) const {
     const auto counted = static_cast<double>(child.visits + child.in_flight + 1);
     return c_ * child.q / counted + child.best;
   }
@@ -22,10 +34,10 @@ class Paper : public SelectionRule {
   double c_;
 };
 
-class PaperLiteral : public SelectionRule {
+class PaperLiteral : public ChildByChild<PaperLiteral> {
  public:
   explicit PaperLiteral(double c) : c_(c) {}
-  double Score(const ParentView&, const ChildView& child) const override {
+  double Of(const ParentView&, const ChildView& child) const {
     const auto counted = static_cast<double>(child.visits + child.in_flight);
     if (counted == 0) return kFirst + child.q;
     return c_ * child.q / counted + child.best;
@@ -38,21 +50,16 @@ class PaperLiteral : public SelectionRule {
   double c_;
 };
 
-// The action's share of Q among its siblings; all alike where Q gives no hint.
-double Prior(const ParentView& parent, const ChildView& child) {
-  return parent.q_sum > 0 ? child.q / parent.q_sum : 1.0;
-}
-
 double PuctBonus(double c_puct, const ParentView& parent, const ChildView& child) {
   const auto tried = static_cast<double>(parent.visits + parent.in_flight);
   const auto here = static_cast<double>(child.visits + child.in_flight);
   return c_puct * Prior(parent, child) * std::sqrt(tried) / (1 + here);
 }
 
-class Puct : public SelectionRule {
+class Puct : public ChildByChild<Puct> {
  public:
   explicit Puct(double c_puct) : c_puct_(c_puct) {}
-  double Score(const ParentView& parent, const ChildView& child) const override {
+  double Of(const ParentView& parent, const ChildView& child) const {
     const double mean = child.visits > 0 ? child.mean : parent.mean;
     return mean + PuctBonus(c_puct_, parent, child);
   }
@@ -62,10 +69,10 @@ class Puct : public SelectionRule {
   double c_puct_;
 };
 
-class PuctVirtualLoss : public SelectionRule {
+class PuctVirtualLoss : public ChildByChild<PuctVirtualLoss> {
  public:
   explicit PuctVirtualLoss(double c_puct) : c_puct_(c_puct) {}
-  double Score(const ParentView& parent, const ChildView& child) const override {
+  double Of(const ParentView& parent, const ChildView& child) const {
     return MeanWithLosses(parent, child) + PuctBonus(c_puct_, parent, child);
   }
   Backup backup() const override { return Backup::kPlanScore; }
@@ -79,9 +86,9 @@ class PuctVirtualLoss : public SelectionRule {
   double c_puct_;
 };
 
-class Random : public SelectionRule {
+class Random : public ChildByChild<Random> {
  public:
-  double Score(const ParentView& parent, const ChildView& child) const override {
+  double Of(const ParentView& parent, const ChildView& child) const {
     const auto round = static_cast<std::uint64_t>(parent.visits + parent.in_flight);
     return static_cast<double>(HashCombine(child.tie, round) >> 11);
   }
@@ -102,6 +109,7 @@ std::unique_ptr<const SelectionRule> MakeSelectionRule(const std::string& name, 
   if (name == "paper-literal") return std::make_unique<PaperLiteral>(c);
   if (name == "puct") return std::make_unique<Puct>(c_puct);
   if (name == "puct-virtual-loss") return std::make_unique<PuctVirtualLoss>(c_puct);
+  if (name == "gumbel") return MakeGumbelRule();
   if (name == "random") return std::make_unique<Random>();
   throw std::invalid_argument("no selection rule '" + name + "'; there are:" + AllNames());
 }

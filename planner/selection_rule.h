@@ -15,6 +15,8 @@
 //                      its parent's. Backs up the plan score.
 //   puct-virtual-loss  As puct, but a visit in flight counts as one that returned 0
 //                      (Chaslot et al. 2008).
+//   gumbel             For small budgets: sequential halving over Gumbel-Top-k actions at the root,
+//                      planner/gumbel_rule.h (Danihelka et al. 2022). Backs up the plan score.
 //   random             Uniform over the children, a function of seed, worker, path and visits.
 //                      Backs up the plan score.
 #pragma once
@@ -38,6 +40,8 @@ struct ParentView {
   std::int64_t in_flight;  // live visits O
   double mean;             // W / N, or V if unvisited
   double q_sum;            // sum of Q over the children that may be chosen
+  bool root = false;
+  std::int64_t samples = 0;  // rollouts this search is given in all
 };
 
 struct ChildView {
@@ -47,15 +51,29 @@ struct ChildView {
   double mean;             // W / N; 0 if unvisited
   double best;             // v*; 0 if unvisited
   std::uint64_t tie;       // hash(seed, worker, path), constant for a child
+  std::uint64_t draw = 0;  // hash(seed, path): the same for all workers
 };
 
 class SelectionRule {
  public:
   virtual ~SelectionRule() = default;
-  // The child with the highest score is taken. Never NaN; +infinity is allowed.
-  virtual double Score(const ParentView& parent, const ChildView& child) const = 0;
+  // One score for each of the `count` children, which are all that may be chosen. The child with
+  // the highest score is taken. Never NaN; +infinity is allowed.
+  virtual void ScoreAll(const ParentView& parent, const ChildView* children, int count,
+                        double* scores) const = 0;
   virtual Backup backup() const = 0;
+  // The score of a child that has no siblings.
+  double Score(const ParentView& parent, const ChildView& child) const {
+    double score = 0;
+    ScoreAll(parent, &child, 1, &score);
+    return score;
+  }
 };
+
+// The action's share of Q among its siblings; all alike where Q gives no hint.
+inline double Prior(const ParentView& parent, const ChildView& child) {
+  return parent.q_sum > 0 ? child.q / parent.q_sum : 1.0;
+}
 
 // c: the paper's exploration constant; c_puct: PUCT's. Throws std::invalid_argument listing the
 // names for an unknown one.

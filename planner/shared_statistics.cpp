@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 #include <tuple>
 
@@ -23,6 +24,10 @@ std::uint64_t Bits(float x) {
 template <typename RowLike>
 auto MergeKey(const RowLike& row, bool direct) {
   return std::make_tuple(row.visits, row.version, direct, row.value_sum, Bits(row.best));
+}
+
+std::uint64_t KeyOf(int writer, PathId id) {
+  return static_cast<std::uint64_t>(writer) << 32 | static_cast<std::uint32_t>(id);
 }
 
 bool InUnit(float x) { return x >= 0.0f && x <= 1.0f; }
@@ -53,42 +58,48 @@ SharedStatistics::SharedStatistics(PathTree* paths, const SharedStatisticsOption
 
 // --- this writer's own rows
 
+SharedStatistics::Row& SharedStatistics::OwnRow(PathId id) {
+  if (id >= static_cast<int>(own_rows_.size())) own_rows_.resize(paths_->size());
+  return own_rows_[id];
+}
+
 void SharedStatistics::Begin(PathId id) {
-  Row& row = RowOf(kOwn, id);
+  Row& row = OwnRow(id);
   ++row.in_flight;
   ++TotalsOf(id).in_flight;
   Touch(id, &row);
 }
 
 void SharedStatistics::Cancel(PathId id) {
-  Row& row = RowOf(kOwn, id);
+  Row& row = OwnRow(id);
   --row.in_flight;
   --TotalsOf(id).in_flight;
   Touch(id, &row);
 }
 
 void SharedStatistics::Complete(PathId id, double value) {
-  Row& row = RowOf(kOwn, id);
-  const Row before = row;
-  const auto sum = static_cast<std::int64_t>(std::llround(value * static_cast<double>(kValueOne)));
+  Row& row = OwnRow(id);
+  const auto units = static_cast<std::int64_t>(value * static_cast<double>(kValueOne) + 0.5);
+  const auto rounded = static_cast<float>(static_cast<double>(units) / kValueOne);
+  writers_[kOwn].count += row.visits == 0 ? 1 : 0;
   --row.in_flight;
   ++row.visits;
-  row.value_sum += sum;
-  row.best = std::max(row.best, static_cast<float>(value));
+  row.value_sum += units;
+  row.best = std::max(row.best, rounded);
+  writers_[kOwn].digest -= row.digest;
+  row.digest = RowDigest(row, id);
+  writers_[kOwn].digest += row.digest;
 
   PathTotals& totals = TotalsOf(id);
   NoteFirstVisit(id, totals.visits);
   --totals.in_flight;
   ++totals.visits;
-  totals.value_sum += sum;
+  totals.value_sum += units;
   totals.best = std::max(totals.best, row.best);
-  ReplaceDigest(&writers_[kOwn], id, before, row);
   Touch(id, &row);
 }
 
 void SharedStatistics::Touch(PathId id, Row* row) {
-  row->version = ++clock_;
-  row->direct = true;
   NoteKnown(kOwn, id, row);
   if (id >= static_cast<int>(sent_.size())) sent_.resize(paths_->size());
   if (sent_[id].dirty) return;
@@ -104,14 +115,24 @@ const PathTotals& SharedStatistics::totals(PathId id) const {
 }
 
 std::int64_t SharedStatistics::own_in_flight(PathId id) const {
-  const std::vector<Row>& rows = writers_[kOwn].rows;
-  return id < static_cast<int>(rows.size()) ? rows[id].in_flight : 0;
+  return id < static_cast<int>(own_rows_.size()) ? own_rows_[id].in_flight : 0;
 }
 
 SharedStatistics::Row& SharedStatistics::RowOf(int writer, PathId id) {
-  std::vector<Row>& rows = writers_[writer].rows;
-  if (id >= static_cast<int>(rows.size())) rows.resize(paths_->size());
-  return rows[id];
+  if (writer == kOwn) return OwnRow(id);
+  const auto next = static_cast<std::uint32_t>(other_rows_.size());
+  const auto [found, added] = other_index_.emplace(KeyOf(writer, id), next);
+  if (added) {
+    other_rows_.emplace_back();
+    writers_[writer].paths.push_back(id);
+  }
+  return other_rows_[found->second];
+}
+
+const SharedStatistics::Row* SharedStatistics::FindRow(int writer, PathId id) const {
+  if (writer == kOwn) return id < static_cast<int>(own_rows_.size()) ? &own_rows_[id] : nullptr;
+  const auto found = other_index_.find(KeyOf(writer, id));
+  return found == other_index_.end() ? nullptr : &other_rows_[found->second];
 }
 
 PathTotals& SharedStatistics::TotalsOf(PathId id) {
@@ -144,12 +165,6 @@ std::uint64_t SharedStatistics::RowDigest(const Row& row, PathId id) const {
   return HashCombine(digest, Bits(row.best));
 }
 
-void SharedStatistics::ReplaceDigest(Writer* writer, PathId id, const Row& before,
-                                     const Row& after) {
-  writer->digest += RowDigest(after, id) - RowDigest(before, id);
-  writer->count += (after.visits > 0 ? 1 : 0) - (before.visits > 0 ? 1 : 0);
-}
-
 std::uint64_t SharedStatistics::digest() const {
   std::uint64_t sum = 0;
   for (const Writer& writer : writers_) {
@@ -171,8 +186,12 @@ int SharedStatistics::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
   if (!AcceptBatch(batch)) return 0;
   NoteHeard(batch, now_us);
   int changed = 0;
+  std::uint64_t writer = batch.writer;  // rows of one writer stand together
+  int index = WriterIndex(writer);
   for (const StatisticsRow& row : batch.rows) {
-    if (Sound(row) && MergeRow(row, row.writer == batch.writer)) ++changed;
+    if (!Sound(row)) continue;
+    if (row.writer != writer) index = WriterIndex(writer = row.writer);
+    if (MergeRow(row, index, row.writer == batch.writer)) ++changed;
   }
   return changed;
 }
@@ -191,12 +210,14 @@ bool SharedStatistics::AcceptBatch(const StatisticsBatch& batch) {
 }
 
 void SharedStatistics::NoteHeard(const StatisticsBatch& batch, std::int64_t now_us) {
-  Writer& writer = writers_[WriterIndex(batch.writer)];
+  const int index = WriterIndex(batch.writer);
+  Writer& writer = writers_[index];
   if (batch.sequence <= writer.sequence) return;
+  if (writer.sequence == 0) full_until_round_ = rounds_ + 2;
   writer.sequence = batch.sequence;
   writer.heard_us = now_us;
   writer.announced = batch.totals;
-  SetLive(&writer, true);
+  SetLive(index, true);
 }
 
 bool SharedStatistics::Sound(const StatisticsRow& row) {
@@ -220,17 +241,16 @@ bool SharedStatistics::RoomFor(std::uint64_t writer) {
   return room;
 }
 
-bool SharedStatistics::MergeRow(const StatisticsRow& row, bool direct) {
+bool SharedStatistics::MergeRow(const StatisticsRow& row, int writer, bool direct) {
   const PathId id = paths_->Add(row.path);
-  const int writer = WriterIndex(row.writer);
-  const Row& known = RowOf(writer, id);
+  const Row known = RowOf(writer, id);
   if (writer == kOwn) {
-    if (row.version > known.version || row.visits > known.visits) ++refusals_.own_row;
+    if (row.visits > known.visits) ++refusals_.own_row;
     return false;
   }
-  const bool newer = row.version > known.version;
-  if ((newer && row.visits < known.visits) ||
-      (row.version < known.version && row.visits > known.visits)) {
+  const bool newer = row.version > known.version, older = row.version < known.version;
+  if (row.version > 0 && known.version > 0 &&
+      ((newer && row.visits < known.visits) || (older && row.visits > known.visits))) {
     ++refusals_.visits_fell;
   }
   if (MergeKey(row, direct) <= MergeKey(known, known.direct)) return false;
@@ -241,28 +261,37 @@ bool SharedStatistics::MergeRow(const StatisticsRow& row, bool direct) {
   fresh.best = row.best;
   fresh.in_flight = direct ? row.in_flight : 0;
   fresh.direct = direct;
-  ReplaceRow(writer, id, fresh);
-  return true;
+  return ReplaceRow(writer, id, fresh);
 }
 
-void SharedStatistics::ReplaceRow(int writer, PathId id, const Row& fresh) {
+// Returns whether anything but the version changed.
+bool SharedStatistics::ReplaceRow(int writer, PathId id, const Row& fresh) {
   Row& row = RowOf(writer, id);
   const Row before = row;
   row = fresh;
   row.known = before.known;
+  row.digest = RowDigest(row, id);
   NoteKnown(writer, id, &row);
-  ReplaceDigest(&writers_[writer], id, before, row);
+  writers_[writer].digest += row.digest - before.digest;
+  writers_[writer].count += (row.visits > 0 ? 1 : 0) - (before.visits > 0 ? 1 : 0);
 
   PathTotals& totals = TotalsOf(id);
   if (row.visits > 0) NoteFirstVisit(id, totals.visits);
   totals.visits += row.visits - before.visits;
   totals.value_sum += row.value_sum - before.value_sum;
   if (writers_[writer].live) totals.in_flight += row.in_flight - before.in_flight;
-  totals.best = 0;
-  for (const Writer& one : writers_) {
-    if (id < static_cast<int>(one.rows.size()))
-      totals.best = std::max(totals.best, one.rows[id].best);
+  // An honest writer's v* only grows; a dishonest one must still leave the maximum of all rows.
+  totals.best = row.best >= before.best ? std::max(totals.best, row.best) : BestOverWriters(id);
+  return row.digest != before.digest || row.in_flight != before.in_flight;
+}
+
+float SharedStatistics::BestOverWriters(PathId id) const {
+  float best = 0;
+  for (std::size_t writer = 0; writer < writers_.size(); ++writer) {
+    const Row* row = FindRow(static_cast<int>(writer), id);
+    if (row != nullptr) best = std::max(best, row->best);
   }
+  return best;
 }
 
 int SharedStatistics::WriterIndex(std::uint64_t id) {
@@ -278,19 +307,21 @@ int SharedStatistics::WriterIndex(std::uint64_t id) {
 
 void SharedStatistics::ExpireLeases(std::int64_t now_us) {
   for (std::size_t i = kOwn + 1; i < writers_.size(); ++i) {
-    Writer& writer = writers_[i];
-    if (writer.live && now_us - writer.heard_us > options_.lease_us) SetLive(&writer, false);
+    const Writer& writer = writers_[i];
+    const bool silent = now_us - writer.heard_us > options_.lease_us;
+    if (writer.live && silent) SetLive(static_cast<int>(i), false);
   }
 }
 
-void SharedStatistics::SetLive(Writer* writer, bool live) {
-  if (writer->live == live) return;
-  writer->live = live;
+void SharedStatistics::SetLive(int index, bool live) {
+  Writer& writer = writers_[index];
+  if (writer.live == live) return;
+  writer.live = live;
   const int sign = live ? 1 : -1;
   live_writers_ += sign;
-  for (std::size_t id = 0; id < writer->rows.size(); ++id) {
-    const std::int32_t in_flight = writer->rows[id].in_flight;
-    if (in_flight != 0) TotalsOf(static_cast<PathId>(id)).in_flight += sign * in_flight;
+  for (const PathId id : writer.paths) {
+    const std::int32_t in_flight = FindRow(index, id)->in_flight;
+    if (in_flight != 0) TotalsOf(id).in_flight += sign * in_flight;
   }
 }
 
@@ -303,18 +334,35 @@ StatisticsBatch SharedStatistics::MakeBatch(std::size_t byte_budget, std::int64_
   batch.writer = options_.writer;
   batch.sequence = ++sequence_;
   batch.totals = own_totals();
-  const std::size_t for_rows =
-      byte_budget > kBatchHeaderBytes ? byte_budget - kBatchHeaderBytes : 0;
-  const std::size_t for_round_robin = for_rows / 4;
-  AddChanged(for_rows - for_round_robin, &batch);
-  AddRoundRobin(for_round_robin, &batch);
+  const std::size_t allowed = Allowance(byte_budget);
+  const std::size_t for_rows = allowed > kBatchHeaderBytes ? allowed - kBatchHeaderBytes : 0;
+  const std::size_t changed = AddChanged(for_rows - for_rows / 4, &batch);
+  const std::size_t repeated = AddRoundRobin(for_rows / 4, &batch);
+  const std::size_t used = kBatchHeaderBytes + changed + repeated;
+  allowance_ -= std::min(allowance_, used);
+  const auto place = [this](const StatisticsRow& row) {
+    return std::make_tuple(row.writer != options_.writer, row.writer, std::cref(row.path));
+  };
+  std::sort(batch.rows.begin(), batch.rows.end(),
+            [&](const auto& a, const auto& b) { return place(a) < place(b); });
   batch.checksum = PayloadChecksum(batch);
   return batch;
 }
 
+// What this batch may take of `byte_budget`: while rollouts go on, what they have earned.
+std::size_t SharedStatistics::Allowance(std::size_t byte_budget) {
+  constexpr std::size_t kAFewRows = kBatchHeaderBytes + 128;
+  const std::int64_t rollouts = own_totals().rollouts;
+  const auto earned = static_cast<std::size_t>(rollouts - allowed_rollouts_);
+  allowed_rollouts_ = rollouts;
+  allowance_ = std::min(byte_budget, allowance_ + earned * options_.bytes_per_rollout);
+  const bool steady = options_.bytes_per_rollout > 0 && !finished_ && rounds_ >= full_until_round_;
+  return steady ? std::min(byte_budget, std::max(allowance_, kAFewRows)) : byte_budget;
+}
+
 // Rows whose content differs from what was last sent, most important first, a few more than fit.
-std::vector<PathId> SharedStatistics::ChangedRows(std::size_t byte_budget) {
-  const std::vector<Row>& rows = writers_[kOwn].rows;
+std::vector<PathId> SharedStatistics::ChangedRows(std::size_t most) {
+  const std::vector<Row>& rows = own_rows_;
   const auto unsent = [&](PathId id) { return rows[id].visits - sent_[id].visits; };
   const auto same = [&](PathId id) {
     return unsent(id) == 0 && rows[id].in_flight == sent_[id].in_flight;
@@ -324,7 +372,7 @@ std::vector<PathId> SharedStatistics::ChangedRows(std::size_t byte_budget) {
   for (auto it = first_same; it != dirty_.end(); ++it) sent_[*it].dirty = false;
   dirty_.erase(first_same, dirty_.end());
 
-  std::vector<PathId> chosen(std::min(dirty_.size(), byte_budget / RowBytes(0) + 1));
+  std::vector<PathId> chosen(std::min(dirty_.size(), most));
   // A child's unsent N is never above its parent's, and its id is higher: parents come first.
   std::partial_sort_copy(dirty_.begin(), dirty_.end(), chosen.begin(), chosen.end(),
                          [&](PathId a, PathId b) {
@@ -333,46 +381,51 @@ std::vector<PathId> SharedStatistics::ChangedRows(std::size_t byte_budget) {
   return chosen;
 }
 
-void SharedStatistics::AddChanged(std::size_t byte_budget, StatisticsBatch* batch) {
+// Both return the bytes they took.
+std::size_t SharedStatistics::AddChanged(std::size_t byte_budget, StatisticsBatch* batch) {
+  constexpr std::size_t kShortestRow = 4;
   std::size_t used = 0;
-  for (const PathId id : ChangedRows(byte_budget)) {
-    used += RowBytes(paths_->depth(id));
-    if (used > byte_budget && !batch->rows.empty()) break;
-    batch->rows.push_back(Export(kOwn, id));
-    const Row& row = writers_[kOwn].rows[id];
+  for (const PathId id : ChangedRows(byte_budget / kShortestRow + 1)) {
+    StatisticsRow row = Export(kOwn, id);
+    const std::size_t bytes = RowBytes(row, false);
+    if (used + bytes > byte_budget && used > 0) break;
+    used += bytes;
     sent_[id].visits = row.visits;
     sent_[id].in_flight = row.in_flight;
     sent_[id].in_batch = batch->sequence;
+    batch->rows.push_back(std::move(row));
   }
+  return used;
 }
 
-void SharedStatistics::AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch) {
+std::size_t SharedStatistics::AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch) {
   std::size_t used = 0;
-  bool added = false;
   for (std::size_t step = 0; step < known_.size(); ++step) {
     const RowKey key = known_[cursor_];
     const bool own = key.writer == kOwn;
-    const bool empty = !own && writers_[key.writer].rows[key.path].visits == 0;
+    const bool empty = !own && FindRow(key.writer, key.path)->visits == 0;
     const bool there = own && sent_[key.path].in_batch == batch->sequence;
     if (!empty && !there) {
-      used += RowBytes(paths_->depth(key.path));
-      if (used > byte_budget && added) return;
-      batch->rows.push_back(Export(key.writer, key.path));
-      added = true;
+      StatisticsRow row = Export(key.writer, key.path);
+      const std::size_t bytes = RowBytes(row, !own);
+      if (used + bytes > byte_budget && used > 0) return used;
+      used += bytes;
+      batch->rows.push_back(std::move(row));
     }
     if (++cursor_ == known_.size()) {
       cursor_ = 0;
       ++rounds_;
     }
   }
+  return used;
 }
 
 StatisticsRow SharedStatistics::Export(int writer, PathId id) const {
-  const Row& row = writers_[writer].rows[id];
+  const Row& row = *FindRow(writer, id);
   StatisticsRow out;
   out.writer = writers_[writer].id;
   out.path = paths_->PathOf(id);
-  out.version = row.version;
+  out.version = writer == kOwn ? sequence_ : 0;
   out.visits = row.visits;
   out.value_sum = row.value_sum;
   out.best = row.best;
@@ -383,29 +436,49 @@ StatisticsRow SharedStatistics::Export(int writer, PathId id) const {
 WriterTotals SharedStatistics::own_totals() const {
   const Writer& own = writers_[kOwn];
   WriterTotals totals;
-  if (!own.rows.empty()) {
-    totals.rollouts = own.rows[kRoot].visits;
-    totals.in_flight = own.rows[kRoot].in_flight;
+  if (!own_rows_.empty()) {
+    totals.rollouts = own_rows_[kRoot].visits;
+    totals.in_flight = own_rows_[kRoot].in_flight;
   }
   totals.evaluations = own_evaluations_;
   totals.rows = own.count;
   totals.digest = own.digest;
   totals.finished = finished_;
+  totals.claimed = claimed_;
+  totals.round = round_;
   return totals;
 }
 
 // --- inspection
 
-std::vector<WriterView> SharedStatistics::writers() const {
+WriterView SharedStatistics::ViewOf(int index) const {
+  const Writer& writer = writers_[index];
+  const bool own = index == kOwn;
+  const Row* root = FindRow(index, kRoot);
+  WriterView view;
+  view.id = writer.id;
+  view.live = writer.live;
+  view.heard = own || writer.sequence > 0;
+  view.announced = own ? own_totals() : writer.announced;
+  view.rows = writer.count;
+  view.digest = writer.digest;
+  view.rollouts = root == nullptr ? 0 : root->visits;
+  return view;
+}
+
+std::vector<WriterView> SharedStatistics::others() const {
   std::vector<WriterView> views;
-  for (std::size_t i = 0; i < writers_.size(); ++i) {
-    const Writer& writer = writers_[i];
-    const bool own = i == kOwn;
-    views.push_back({writer.id, writer.live, own || writer.sequence > 0,
-                     own ? own_totals() : writer.announced, writer.count, writer.digest});
+  for (std::size_t i = kOwn + 1; i < writers_.size(); ++i) {
+    views.push_back(ViewOf(static_cast<int>(i)));
   }
-  std::sort(views.begin() + 1, views.end(),
+  return views;
+}
+
+std::vector<WriterView> SharedStatistics::writers() const {
+  std::vector<WriterView> views = others();
+  std::sort(views.begin(), views.end(),
             [](const WriterView& a, const WriterView& b) { return a.id < b.id; });
+  views.insert(views.begin(), ViewOf(kOwn));
   return views;
 }
 
@@ -418,10 +491,11 @@ bool SharedStatistics::ConvergedWithLive() const {
 std::vector<StatisticsRow> SharedStatistics::AllRows() const {
   std::vector<StatisticsRow> all;
   for (const RowKey& key : known_) {
-    const Row& row = writers_[key.writer].rows[key.path];
+    const Row& row = *FindRow(key.writer, key.path);
     if (row.visits == 0) continue;
     all.push_back(Export(key.writer, key.path));
     all.back().in_flight = row.in_flight;
+    if (key.writer != kOwn) all.back().version = row.version;
   }
   std::sort(all.begin(), all.end(), [](const StatisticsRow& a, const StatisticsRow& b) {
     return std::tie(a.path, a.writer) < std::tie(b.path, b.writer);

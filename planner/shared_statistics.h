@@ -2,7 +2,8 @@
 // transport that may lose, repeat and reorder messages. Rows are keyed by (writer, path). Merging
 // keeps, for each key, the greatest row in the order (N, version, heard from the writer itself
 // before relayed, W, v*); because that is a maximum, any set of batches merged in any order and any
-// number of times gives one table. N, W and live O are summed over writers; v* is their maximum.
+// number of times gives one table (a join semilattice: Shapiro et al. 2011, state-based CRDTs).
+// N, W and live O are summed over writers; v* is their maximum.
 //
 // Visits in flight are the one thing that is not permanent. A writer's O counts only while a batch
 // of its own with a higher sequence number than before was heard within the lease, on the
@@ -27,8 +28,12 @@ struct SharedStatisticsOptions {
   SearchId search;
   std::uint64_t writer = 0;           // this process; random per start, never 0
   std::int64_t lease_us = 1'000'000;  // > 0
-  int max_writers = 1024;             // rows of writers beyond this many known ones are refused
+  int max_writers = 2048;             // rows of writers beyond this many known ones are refused
   int max_paths = 4'000'000;          // rows for paths beyond this many known ones are refused
+  // While the writer is at work, batches take no more than this many bytes for each of its rollouts
+  // (but always room for a few rows); closing batches, and a round after a new writer was heard,
+  // may fill the whole budget. 0: no such limit.
+  std::size_t bytes_per_rollout = 0;
 };
 
 // Sums over writers for one path.
@@ -59,11 +64,12 @@ struct RefusalCounts {
 // What is known of one writer.
 struct WriterView {
   std::uint64_t id = 0;
-  bool live = false;         // within its lease (this process: always)
-  bool heard = false;        // a batch of its own was heard (not only relays)
-  WriterTotals announced;    // from its newest batch; this process: its current totals
-  std::int64_t rows = 0;     // rows with N > 0 known here
-  std::uint64_t digest = 0;  // of these rows
+  bool live = false;          // within its lease (this process: always)
+  bool heard = false;         // a batch of its own was heard (not only relays)
+  WriterTotals announced;     // from its newest batch; this process: its current totals
+  std::int64_t rows = 0;      // rows with N > 0 known here
+  std::uint64_t digest = 0;   // of these rows
+  std::int64_t rollouts = 0;  // of which N at the root
   bool Converged() const { return heard && rows == announced.rows && digest == announced.digest; }
 };
 
@@ -85,11 +91,12 @@ class SharedStatistics {
   // Takes over what is newer, and tells live from silent writers at time `now_us`. Returns how many
   // rows changed.
   int Merge(const StatisticsBatch& batch, std::int64_t now_us);
-  // This process's next batch within `byte_budget` (counted by RowBytes). Own rows that changed
-  // since they were last sent go first, the greatest unsent N first (a parent before its child); a
-  // quarter of the budget is kept for the round-robin over all rows known, those of other writers
-  // as relays with O = 0. At least one row of each kind is sent if there is one, however small the
-  // budget.
+  // This process's next batch within `byte_budget` (counted by RowBytes) and bytes_per_rollout. Own
+  // rows that changed since they were last sent are chosen first, the greatest unsent N first (a
+  // parent before its child); a quarter of the budget is kept for the round-robin over all rows
+  // known, those of other writers as relays with O = 0. At least one row of each kind is sent if
+  // there is one, however small the budget. Rows stand sorted by (writer, path), the sender's
+  // first.
   StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
   // Stops counting the O of writers whose lease has run out at `now_us`. Merge and MakeBatch do so
   // too.
@@ -98,6 +105,7 @@ class SharedStatistics {
   // What the search adds to this writer's announced totals.
   void SetOwnEvaluations(std::int64_t evaluations) { own_evaluations_ = evaluations; }
   void SetFinished(bool finished) { finished_ = finished; }
+  void SetClaim(std::int64_t claimed, std::int64_t round) { claimed_ = claimed, round_ = round; }
 
   // Paths whose N rose from 0 since the last call, in that order.
   std::vector<PathId> TakeNewlyVisited();
@@ -109,6 +117,7 @@ class SharedStatistics {
   std::uint64_t digest() const;
   std::int64_t rows() const;                          // rows with N > 0, over all writers
   std::vector<WriterView> writers() const;            // this process first, the others by id
+  std::vector<WriterView> others() const;             // without this process, in no order
   int live_writers() const { return live_writers_; }  // within their leases, this process included
   bool ConvergedWithLive() const;  // every live writer's announced rows are all known here
   std::int64_t round_robin_rounds() const {
@@ -125,6 +134,7 @@ class SharedStatistics {
     std::uint64_t version = 0;
     std::int64_t visits = 0;
     std::int64_t value_sum = 0;
+    std::uint64_t digest = 0;  // RowDigest of the above
     float best = 0;
     std::int32_t in_flight = 0;
     bool direct = false;  // heard from the writer itself
@@ -142,7 +152,7 @@ class SharedStatistics {
     std::int64_t heard_us = 0;
     bool live = false;
     WriterTotals announced;
-    std::vector<Row> rows;  // by path id
+    std::vector<PathId> paths;  // of its rows; not this process's
     std::int64_t count = 0;
     std::uint64_t digest = 0;
   };
@@ -151,24 +161,28 @@ class SharedStatistics {
     PathId path;
   };
 
+  Row& OwnRow(PathId id);
   Row& RowOf(int writer, PathId id);
+  const Row* FindRow(int writer, PathId id) const;
   PathTotals& TotalsOf(PathId id);
   bool RoomFor(std::uint64_t writer);
   int WriterIndex(std::uint64_t id);
   std::uint64_t RowDigest(const Row& row, PathId id) const;
   void Touch(PathId id, Row* row);
   void NoteKnown(int writer, PathId id, Row* row);
-  void ReplaceDigest(Writer* writer, PathId id, const Row& before, const Row& after);
   void NoteFirstVisit(PathId id, std::int64_t visits_before);
   bool AcceptBatch(const StatisticsBatch& batch);
   void NoteHeard(const StatisticsBatch& batch, std::int64_t now_us);
   bool Sound(const StatisticsRow& row);
-  bool MergeRow(const StatisticsRow& row, bool direct);
-  void ReplaceRow(int writer, PathId id, const Row& fresh);
-  void SetLive(Writer* writer, bool live);
-  std::vector<PathId> ChangedRows(std::size_t byte_budget);
-  void AddChanged(std::size_t byte_budget, StatisticsBatch* batch);
-  void AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch);
+  bool MergeRow(const StatisticsRow& row, int writer, bool direct);
+  bool ReplaceRow(int writer, PathId id, const Row& fresh);
+  float BestOverWriters(PathId id) const;
+  void SetLive(int writer, bool live);
+  WriterView ViewOf(int writer) const;
+  std::size_t Allowance(std::size_t byte_budget);
+  std::vector<PathId> ChangedRows(std::size_t most);
+  std::size_t AddChanged(std::size_t byte_budget, StatisticsBatch* batch);
+  std::size_t AddRoundRobin(std::size_t byte_budget, StatisticsBatch* batch);
   StatisticsRow Export(int writer, PathId id) const;
 
   PathTree* paths_;
@@ -176,16 +190,24 @@ class SharedStatistics {
   std::vector<Writer> writers_;  // index 0: this process
   std::unordered_map<std::uint64_t, int> writer_index_;
   std::vector<PathTotals> totals_;  // by path id
-  std::vector<Sent> sent_;          // by path id, own rows
+  std::vector<Row> own_rows_;       // by path id
+  // Rows of others, found by (writer index, path id): a thousand writers each know few paths.
+  std::vector<Row> other_rows_;
+  std::unordered_map<std::uint64_t, std::uint32_t> other_index_;
+  std::vector<Sent> sent_;  // by path id, own rows
   std::vector<PathId> dirty_;
   std::vector<RowKey> known_;  // every row ever known, in order of appearance
   std::size_t cursor_ = 0;     // of the round-robin, into known_
   std::int64_t rounds_ = 0;
+  std::int64_t full_until_round_ = 0;  // a new writer was heard: no steady limit before that round
+  std::size_t allowance_ = 0;          // bytes not yet used of bytes_per_rollout
+  std::int64_t allowed_rollouts_ = 0;  // rollouts that it was granted for
   std::vector<PathId> newly_visited_;
   int live_writers_ = 1;
-  std::uint64_t clock_ = 0;     // versions of own rows
   std::uint64_t sequence_ = 0;  // batches made
   std::int64_t own_evaluations_ = 0;
+  std::int64_t claimed_ = 0;
+  std::int64_t round_ = 0;
   bool finished_ = false;
   RefusalCounts refusals_;
 };

@@ -31,13 +31,14 @@ void AddTotals(const WriterTotals& totals, Checksum* sum) {
   sum->Add(totals.rows);
   sum->Add(totals.digest);
   sum->Add(totals.finished ? 1 : 0);
+  sum->Add(totals.claimed);
+  sum->Add(totals.round);
 }
 
 void AddRow(const StatisticsRow& row, Checksum* sum) {
   sum->Add(row.writer);
   sum->Add(row.path.size());
-  for (const std::uint8_t action : row.path) sum->Add(action);
-  sum->Add(row.version);
+  sum->Add(HashPath(row.path));
   sum->Add(row.visits);
   sum->Add(row.value_sum);
   sum->Add(Bits(row.best));

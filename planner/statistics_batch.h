@@ -22,18 +22,21 @@ inline bool operator==(const SearchId& a, const SearchId& b) {
 }
 inline bool operator!=(const SearchId& a, const SearchId& b) { return !(a == b); }
 
-// Value sums are integers, in units of 1 / kValueOne, so that sums do not depend on the order of
-// adding.
-constexpr std::int64_t kValueOne = std::int64_t{1} << 32;
+// Values are whole multiples of 1 / kValueOne, so that sums do not depend on the order of adding,
+// and a single visit's sum is its value. A millionth is far below what networks can tell apart, and
+// keeps rows short on the wire.
+constexpr std::int64_t kValueOne = std::int64_t{1} << 20;
 
 // What one writer knows from its own rollouts about one path. Only the writer changes its row.
 struct StatisticsRow {
-  std::uint64_t writer = 0;    // whose row it is (not necessarily the sender), never 0
-  Path path;                   // which node
-  std::uint64_t version = 0;   // grows with every change the writer makes
+  std::uint64_t writer = 0;  // whose row it is (not necessarily the sender), never 0
+  Path path;                 // which node
+  // When the writer said so: the sequence number of its batch; 0 in a relayed row. Not on the wire:
+  // N orders what is permanent, and the batch's own number what is not (O).
+  std::uint64_t version = 0;
   std::int64_t visits = 0;     // N: completed visits; only grows
   std::int64_t value_sum = 0;  // W: sum of backed-up values, 0 <= W <= N kValueOne
-  float best = 0;              // v*: highest backed-up value, [0, 1]; 0 if N = 0
+  float best = 0;  // v*: highest backed-up value, a multiple of 1 / kValueOne, [0, 1]; 0 if N = 0
   std::int32_t in_flight = 0;  // O: visits begun and not yet completed, >= 0; 0 in a relayed row
 };
 
@@ -45,6 +48,8 @@ struct WriterTotals {
   std::int64_t rows = 0;         // own rows with N > 0
   std::uint64_t digest = 0;      // over own rows with N > 0: path, N, W, v*; independent of order
   bool finished = false;         // the sender starts no more rollouts and has none in flight
+  std::int64_t claimed = 0;      // rollouts the sender may begin in all: planner/rollout_claims.h
+  std::int64_t round = 0;        // how often the sender has renewed its claim
 };
 
 struct StatisticsBatch {
@@ -59,8 +64,9 @@ struct StatisticsBatch {
 // Over every field but `checksum`. The same number on every machine.
 std::uint64_t PayloadChecksum(const StatisticsBatch& batch);
 
-// Bytes a row takes on the wire, and a batch without rows: what byte budgets are counted in.
-constexpr std::size_t kBatchHeaderBytes = 96;
-constexpr std::size_t RowBytes(std::size_t path_length) { return 44 + path_length; }
+// Bytes of a SEARCH_STATISTICS message without rows, and of a row in it at a usual place (see
+// planner/statistics_codec.h): what byte budgets are counted in.
+constexpr std::size_t kBatchHeaderBytes = 105;
+std::size_t RowBytes(const StatisticsRow& row, bool relayed);
 
 }  // namespace prospect::planner

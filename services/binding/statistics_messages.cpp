@@ -1,36 +1,12 @@
 #include "services/binding/statistics_messages.h"
 
-#include "services/binding/evaluation_messages.h"
+#include "planner/statistics_codec.h"
 
 namespace prospect::services {
 namespace {
 
 std::int64_t Wire(std::uint64_t value) { return static_cast<std::int64_t>(value); }
 std::uint64_t Library(std::int64_t value) { return static_cast<std::uint64_t>(value); }
-
-statistics_row_t RowToMessage(const planner::StatisticsRow& row) {
-  statistics_row_t message{};
-  message.writer = Wire(row.writer);
-  message.version = Wire(row.version);
-  message.path = ToMessage(row.path);
-  message.visits = row.visits;
-  message.value_sum = row.value_sum;
-  message.best = row.best;
-  message.in_flight = row.in_flight;
-  return message;
-}
-
-planner::StatisticsRow RowFromMessage(const statistics_row_t& message) {
-  planner::StatisticsRow row;
-  row.writer = Library(message.writer);
-  row.version = Library(message.version);
-  row.path = message.path.actions;
-  row.visits = message.visits;
-  row.value_sum = message.value_sum;
-  row.best = message.best;
-  row.in_flight = message.in_flight;
-  return row;
-}
 
 }  // namespace
 
@@ -48,8 +24,10 @@ search_statistics_t ToMessage(const planner::StatisticsBatch& batch, int lease_m
   message.digest = Wire(batch.totals.digest);
   message.is_final = batch.totals.finished ? 1 : 0;
   message.checksum = Wire(batch.checksum);
-  for (const auto& row : batch.rows) message.rows.push_back(RowToMessage(row));
-  message.num_rows = static_cast<std::int32_t>(message.rows.size());
+  message.claimed = static_cast<std::int32_t>(batch.totals.claimed);
+  message.round = static_cast<std::int32_t>(batch.totals.round);
+  message.rows = planner::PackRows(batch);
+  message.num_bytes = static_cast<std::int32_t>(message.rows.size());
   return message;
 }
 
@@ -65,7 +43,10 @@ planner::StatisticsBatch FromMessage(const search_statistics_t& message) {
   batch.totals.digest = Library(message.digest);
   batch.totals.finished = message.is_final != 0;
   batch.checksum = Library(message.checksum);
-  for (const auto& row : message.rows) batch.rows.push_back(RowFromMessage(row));
+  batch.totals.claimed = message.claimed;
+  batch.totals.round = message.round;
+  // Bytes that are no rows leave none, and the checksum tells the planner.
+  planner::UnpackRows(message.rows.data(), message.rows.size(), &batch);
   return batch;
 }
 

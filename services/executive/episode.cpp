@@ -143,7 +143,6 @@ SearchQuestion Episode::MakeQuestion() const {
   root.num_executed = static_cast<std::int32_t>(root.executed.size());
   root.time_left = -1;
   root.leaves = options_.leaves;
-  root.sharing = options_.sharing ? 1 : 0;
 
   planner::SearchParameters parameters = options_.search;
   const int remaining = task.plan_length - static_cast<int>(executed_.size());
@@ -151,16 +150,15 @@ SearchQuestion Episode::MakeQuestion() const {
   parameters.refusal_threshold =
       options_.refusal_threshold >= 0 ? options_.refusal_threshold : model_.refusal_threshold;
   question.samples = parameters.samples;
-  if (!options_.sharing) parameters.samples = SamplesApart();
+  parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
+  parameters.workers = LiveWorkers();
   SetParameters(parameters, &root);
   return question;
 }
 
-// Workers that search apart do not see each other's rollouts, so each gets its part of the budget.
-std::int64_t Episode::SamplesApart() const {
-  const auto workers =
-      static_cast<std::int64_t>(std::max<std::size_t>(1, talk_.monitor().Alive("worker").size()));
-  return (options_.search.samples + workers - 1) / workers;
+// Workers that search apart part the samples among them.
+int Episode::LiveWorkers() const {
+  return static_cast<int>(std::max<std::size_t>(1, talk_.monitor().Alive("worker").size()));
 }
 
 // One for each first action that was not chosen: the best future through it, or the one that came

@@ -33,7 +33,7 @@ class Episode {
   void RunFixedPlan(const std::vector<int>& plan);
   SearchRecord SearchOnce();
   SearchQuestion MakeQuestion() const;
-  std::int64_t SamplesApart() const;
+  int LiveWorkers() const;
   bool Act(int action);
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;

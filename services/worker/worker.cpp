@@ -128,6 +128,11 @@ void Worker::SendRequests(std::int64_t now_ms) {
   }
 }
 
+// At every tick, and at once where others may be waiting for this worker's word.
+bool Worker::StatisticsDue(std::int64_t now_ms) {
+  return statistics_due_.Due(now_ms) || shared_->search().WantsExchange();
+}
+
 void Worker::SendStatistics(std::int64_t now_ms) {
   auto message = ToMessage(shared_->search().MakeBatch(
                                static_cast<std::size_t>(options_.statistics_bytes), now_ms * 1000),
@@ -171,7 +176,7 @@ void Worker::Turn() {
   const std::int64_t now_ms = SteadyMs();
   CheckAbandoned(now_ms);
   // Rows first: the others learn of this worker before it takes its share of the rollouts.
-  if (phase_ != Phase::kIdle && statistics_due_.Due(now_ms)) SendStatistics(now_ms);
+  if (phase_ != Phase::kIdle && StatisticsDue(now_ms)) SendStatistics(now_ms);
   if (phase_ == Phase::kSearching) Advance();
   if (phase_ == Phase::kClosing) AskForMissing(now_ms);
   if (phase_ != Phase::kIdle) SendRequests(now_ms);

@@ -17,7 +17,7 @@ namespace prospect::services {
 struct WorkerOptions {
   std::int64_t index =
       -1;  ///< breaks ties differently in each worker; negative: from the random writer id
-  int statistics_period_ms = 20;  ///< how often rows are sent while searching
+  int statistics_period_ms = 40;  ///< how often rows are sent while searching
   int statistics_bytes = 8192;    ///< byte budget of one SEARCH_STATISTICS message
 };
 
@@ -53,6 +53,7 @@ class Worker {
   void Advance();
   void AskForMissing(std::int64_t now_ms);
   void SendRequests(std::int64_t now_ms);
+  bool StatisticsDue(std::int64_t now_ms);
   void SendStatistics(std::int64_t now_ms);
   void CheckAbandoned(std::int64_t now_ms);
   void Conclude();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -145,7 +146,7 @@ class Reference {
     }
     Edge& edge = edges[path];
     ++edge.visits;
-    edge.best = std::max(edge.best, static_cast<double>(static_cast<float>(result)));
+    edge.best = std::max(edge.best, std::floor(result * kValueOne + 0.5) / kValueOne);
     return result;
   }
 

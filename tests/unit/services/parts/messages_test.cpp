@@ -50,8 +50,8 @@ TEST(StatisticsMessages, KeepTheChecksum) {
   batch.search = {0xfedcba9876543210ULL, 7};
   batch.writer = 11;
   batch.sequence = 3;
-  batch.totals = {5, 4, 2, 1, 0x8000000000000001ULL, true};
-  batch.rows.push_back({11, {1, 2}, 9, 5, planner::kValueOne / 3, 0.75f, 2});
+  batch.totals = {5, 4, 2, 1, 0x8000000000000001ULL, true, 9, 3};
+  batch.rows.push_back({11, {1, 2}, 3, 5, planner::kValueOne / 3, 0.75f, 2});
   batch.checksum = planner::PayloadChecksum(batch);
   const auto back = FromMessage(ToMessage(batch, 1000));
   EXPECT_EQ(planner::PayloadChecksum(back), batch.checksum);

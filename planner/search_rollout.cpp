@@ -1,0 +1,196 @@
+// One rollout: the parts of planner/search.h that walk down the tree and back up.
+#include "planner/search.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace prospect::planner {
+
+Search::Node& Search::NodeOf(PathId id) {
+  if (id >= static_cast<int>(nodes_.size())) nodes_.resize(paths_.size());
+  return nodes_[id];
+}
+
+// What the task allows after a node, worked out when a rollout first gets there.
+void Search::ResolveRules(PathId id) {
+  if (NodeOf(id).first_allowed >= 0) return;
+  const Path path = paths_.PathOf(id);
+  Node& node = NodeOf(id);
+  node.complete = rules_.Complete(executed_, path);
+  node.first_allowed = static_cast<std::int32_t>(allowed_.size());
+  for (const int action : rules_.AllowedActions(executed_, path)) {
+    allowed_.push_back(static_cast<std::uint8_t>(action));
+    ++node.num_allowed;
+  }
+}
+
+// EVALUATE: the node's value if nothing below it is to be explored. Needs the node's evaluation.
+bool Search::EndsHere(PathId id, double* value) {
+  ResolveRules(id);
+  const float v = evaluations_.value(id);
+  *value = v;
+  if (id != kRoot) {
+    if (evaluations_.done(id) < parameters_.c_done) {
+      *value = 0;
+      return true;
+    }
+    if (v < parameters_.v_failed) return true;
+  }
+  return nodes_[id].complete || paths_.depth(id) >= depth_;
+}
+
+bool Search::Permitted(PathId id, int action) const {
+  return evaluations_.p(id)[action] >= parameters_.p_min;
+}
+
+// What may be chosen after a node, listed when a rollout first chooses there.
+void Search::ListChildren(PathId id) {
+  if (children_.Has(id)) return;
+  children_.Open(id, paths_);
+  const Node node = nodes_[id];
+  for (int i = 0; i < node.num_allowed; ++i) {
+    const int action = allowed_[node.first_allowed + i];
+    if (Permitted(id, action)) children_.Append(paths_, id, action, QOf(id, action));
+  }
+}
+
+// Q, and halfway between it and what a former search found there, if there was one.
+double Search::QOf(PathId id, int action) const {
+  const double q = evaluations_.q(id)[action];
+  const PathId child = warm_q_.empty() ? kNoPath : paths_.Find(id, action);
+  if (child == kNoPath || child >= static_cast<int>(warm_q_.size())) return q;
+  return warm_q_[child] < 0 ? q : (q + warm_q_[child]) / 2;
+}
+
+// SAMPLE: the best permitted child, or kNoPath. Exhausted children come last where they are to be
+// skipped.
+PathId Search::SelectChild(PathId id) {
+  ListChildren(id);
+  const ChildLists::List list = children_.Of(id);
+  if (list.count == 0) return kNoPath;
+  ChildEntry* entries = children_.Entries(list);
+  ViewChildren(id, entries, list.count);
+  rule_->ScoreAll(ViewOf(id, list), views_.data(), list.count, scores_.data());
+  ChildEntry& chosen = entries[Best(entries, list.count)];
+  if (chosen.id == kNoPath) chosen.id = paths_.Add(id, chosen.action);
+  return chosen.id;
+}
+
+int Search::Best(const ChildEntry* entries, int count) const {
+  const bool skip = parameters_.skip_exhausted;
+  int best = 0;
+  for (int i = 1; i < count; ++i) {
+    const bool fresh = skip && Exhausted(entries[best].id) && !Exhausted(entries[i].id);
+    const bool stale = skip && !Exhausted(entries[best].id) && Exhausted(entries[i].id);
+    if (stale || (!fresh && scores_[i] < scores_[best])) continue;
+    if (!fresh && scores_[i] == scores_[best] && entries[i].tie <= entries[best].tie) continue;
+    best = i;
+  }
+  return best;
+}
+
+ParentView Search::ViewOf(PathId id, const ChildLists::List& list) const {
+  const PathTotals& totals = statistics_.totals(id);
+  ParentView view{};
+  view.visits = totals.visits;
+  view.in_flight = totals.in_flight;
+  view.mean = totals.visits > 0 ? totals.mean() : evaluations_.value(id);
+  view.q_sum = list.q_sum;
+  view.root = id == kRoot;
+  view.samples = Budget();
+  return view;
+}
+
+// Fills views_, and finds children that others' rows have added since the list was made.
+void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
+  if (static_cast<int>(views_.size()) < count) views_.resize(count), scores_.resize(count);
+  for (int i = 0; i < count; ++i) {
+    ChildEntry& entry = entries[i];
+    if (entry.id == kNoPath) entry.id = paths_.Find(id, entry.action);
+    ChildView& view = views_[i];
+    view.q = entry.q;
+    view.tie = entry.tie;
+    view.draw = entry.draw;
+    const PathTotals& totals = statistics_.totals(entry.id);
+    view.visits = totals.visits;
+    view.in_flight = totals.in_flight + ExtraInFlight(entry.id);
+    view.mean = totals.mean();
+    view.best = totals.best;
+  }
+}
+
+// A path that another worker asked for counts as one visit until that worker's own rows say so.
+std::int64_t Search::ExtraInFlight(PathId child) const {
+  if (child == kNoPath || child >= static_cast<int>(nodes_.size())) return 0;
+  if (nodes_[child].pending != Pending::kForeign) return 0;
+  const bool said = statistics_.totals(child).in_flight > statistics_.own_in_flight(child);
+  return said ? 0 : 1;
+}
+
+// Walks on from `*at` as far as evaluations go. kEnded: `*value` is EVALUATE's result for the last
+// node.
+Search::Walked Search::Walk(PathId* at, double* value) {
+  while (evaluations_.Has(*at)) {
+    if (EndsHere(*at, value)) return Walked::kEnded;
+    const PathId child = SelectChild(*at);
+    if (child == kNoPath) {
+      *value = 0;
+      return Walked::kEnded;
+    }
+    *at = child;
+    statistics_.Begin(*at);
+  }
+  return Walked::kBlocked;
+}
+
+// UPDATE, from the last node to the root.
+void Search::BackUp(PathId leaf, double value) {
+  const bool by_plan_score = rule_->backup() == Backup::kPlanScore;
+  if (by_plan_score && leaf != kRoot) value *= evaluations_.done(leaf);
+  statistics_.Complete(leaf, value);
+  for (PathId id = paths_.parent(leaf); id != kNoPath; id = paths_.parent(id)) {
+    if (!by_plan_score) {
+      value *= evaluations_.value(id);
+    } else if (id != kRoot) {
+      value *= evaluations_.done(id);
+    }
+    statistics_.Complete(id, value);
+  }
+}
+
+void Search::GiveUp(PathId leaf) {
+  for (PathId id = leaf; id != kNoPath; id = paths_.parent(id)) statistics_.Cancel(id);
+}
+
+// --- what is wholly known
+
+void Search::Absorb() {
+  for (const PathId id : statistics_.TakeNewlyVisited()) UpdateExhausted(id);
+  const std::int64_t rollouts = statistics_.totals(kRoot).visits;
+  if (settlement_.Due(rollouts)) settlement_.Update(Source(), rollouts);
+}
+
+void Search::UpdateExhausted(PathId id) {
+  while (id != kNoPath && !NodeOf(id).exhausted && NowExhausted(id)) {
+    nodes_[id].exhausted = true;
+    id = paths_.parent(id);
+  }
+}
+
+bool Search::Exhausted(PathId id) const {
+  return id != kNoPath && id < static_cast<int>(nodes_.size()) && nodes_[id].exhausted;
+}
+
+bool Search::NowExhausted(PathId id) {
+  if (!evaluations_.Has(id) || statistics_.totals(id).visits == 0) return false;
+  double value = 0;
+  if (EndsHere(id, &value)) return true;
+  const Node& node = nodes_[id];
+  for (int i = 0; i < node.num_allowed; ++i) {
+    const int action = allowed_[node.first_allowed + i];
+    if (Permitted(id, action) && !Exhausted(paths_.Find(id, action))) return false;
+  }
+  return true;
+}
+
+}  // namespace prospect::planner
