@@ -10,18 +10,14 @@
 #include <string>
 #include <utility>
 
+#include "sim/embree_scene.h"
+
 namespace prospect::sim {
 namespace {
 
 constexpr int kGrid = 3;  // samples a pixel along each side
 constexpr int kSamples = kGrid * kGrid;
 constexpr float kAmbient = 0.45f;  // brightness of a face that the light only grazes
-
-RTCDevice SharedDevice() {
-  static const RTCDevice device = rtcNewDevice("threads=1,isa=sse4.2");
-  if (device == nullptr) throw std::runtime_error("Embree gives no device: is libembree3 whole?");
-  return device;
-}
 
 struct Hit {
   float distance = std::numeric_limits<float>::infinity();  // in units of the ray's direction
@@ -31,7 +27,7 @@ struct Hit {
 // One rigid body as Embree sees it.
 class TracedBody {
  public:
-  explicit TracedBody(const VisualBody& body) : scene_(rtcNewScene(SharedDevice())) {
+  explicit TracedBody(const VisualBody& body) : scene_(rtcNewScene(SharedEmbreeDevice())) {
     for (const VisualPart& part : body) Add(part);
     rtcCommitScene(scene_);
     for (const VisualPart& part : body) {
@@ -78,7 +74,7 @@ class TracedBody {
 
   void Add(const VisualPart& part) {
     const Mesh& mesh = part.mesh;
-    RTCGeometry geometry = rtcNewGeometry(SharedDevice(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(SharedEmbreeDevice(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 3 * sizeof(float), mesh.vertices.size()));

@@ -1,10 +1,17 @@
 #include "sim/task.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "sim/fnv.h"
 
 namespace prospect::sim {
+
+bool TaskSpec::IsRetry(int action, int next) const {
+  if (retries.empty()) return false;
+  const std::vector<int>& row = retries.at(action);
+  return std::find(row.begin(), row.end(), next) != row.end();
+}
 
 std::uint64_t TaskSpec::Hash() const {
   std::ostringstream text;

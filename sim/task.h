@@ -39,13 +39,21 @@ struct TaskSpec {
   // [actions.size() + 1]: which actions may follow each action by the task's graph; the last row is
   // for null_action(), that is the start of a trial. Ascending.
   std::vector<std::vector<int>> successors;
+  // Of these, the ones that go back to try again: [actions.size() + 1] like `successors`, or empty
+  // for a task without such. Whoever enumerates plans leaves them out.
+  std::vector<std::vector<int>> retries;
   bool repeats_allowed = false;  // whether an action may occur twice in a plan
+  // Names of the points that Landmarks() gives, in its order; may be none.
+  std::vector<std::string> landmarks;
 
   // The label of "no action yet": one past the last action.
   int null_action() const { return static_cast<int>(actions.size()); }
 
+  // Whether `next` after `action` (null_action(): at the start) is one of `retries`.
+  bool IsRetry(int action, int next) const;
+
   // FNV-1a over a canonical text of what two programs must agree on to talk about this task: name,
-  // action table, successors, whether repeats are allowed, image size. Scene parameters
+  // action table, successors, whether repeats are allowed, image size. Landmarks, scene parameters
   // (plan_length) and the world's constants are left out, so that one set of weights serves all of
   // a task's scenes.
   std::uint64_t Hash() const;
@@ -55,6 +63,14 @@ enum class ActionState { kIdle, kRunning, kSucceeded, kFailed, kCancelled };
 
 // The verdict on the whole trial.
 enum class Outcome { kRunning, kSuccess, kFailure };
+
+// A point of the scene in Observe()'s picture: u from the left edge (0) to the right (1), v from
+// the upper edge (0) to the lower (1). Both NaN if what it belongs to is not part of the scene;
+// outside [0, 1] if the camera does not see that far.
+struct Landmark {
+  double u = 0;
+  double v = 0;
+};
 
 // Where a trial stands now.
 struct Progress {
@@ -66,7 +82,7 @@ struct Progress {
   int actions_done = 0;  // actions that succeeded
   Outcome outcome = Outcome::kRunning;
   std::string
-      reason;  // why the trial failed: "time", "collision(barrel)", "left_site"; empty otherwise
+      reason;  // why the trial failed: "time", "collision(barrel)", "obstacle(gripper)"; else empty
 };
 
 const char* ToString(ActionState state);  // "idle", "running", "succeeded", "failed", "cancelled"
@@ -110,8 +126,12 @@ class Task {
   virtual Progress progress() const = 0;
 
   // The robot's state. Navigation: x, y (m, site frame), yaw (rad, in (-pi, pi]), v (m/s, forward),
-  // w (rad/s).
+  // w (rad/s). Stacking: six joints (rad), the gripper's opening (m), x, y, z of the tool (m).
   virtual std::vector<double> RobotState() const = 0;
+
+  // Where robot and objects are in the picture, in the order of spec().landmarks. Only for training
+  // networks and for tests: planning never sees it.
+  virtual std::vector<Landmark> Landmarks() const { return {}; }
 
   // Everything that decides the future, exactly: after Restore the same calls give the same bits.
   virtual std::unique_ptr<TaskState> Save() const = 0;

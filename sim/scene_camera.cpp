@@ -1,0 +1,259 @@
+#include "sim/scene_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "sim/embree_scene.h"
+
+namespace prospect::sim {
+namespace {
+
+constexpr int kLanes = 4;       // rays traced together: a pixel's 2 x 2 samples
+constexpr float kLift = 2e-4f;  // m above a surface from which its shadow is asked for
+constexpr float kFromAbove =
+    0.3f;  // share of the even light that comes from above rather than all round
+
+struct View {
+  Eigen::Vector3f eye, forward, right, up;  // right and up reach to the picture's edge
+};
+
+View MakeView(const CameraDescription& camera, int width, int height) {
+  const Eigen::Vector3d forward = (camera.target - camera.eye).normalized();
+  const bool steep = std::abs(forward.z()) > 0.999;
+  const Eigen::Vector3d above = steep ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d right = forward.cross(above).normalized();
+  const double half = std::tan(camera.fov / 2);
+  View view;
+  view.eye = camera.eye.cast<float>();
+  view.forward = forward.cast<float>();
+  view.right = (right * half * width / height).cast<float>();
+  view.up = (right.cross(forward) * half).cast<float>();
+  return view;
+}
+
+Eigen::Vector3f Direction(const View& view, float u, float v) {
+  return view.forward + view.right * (2 * u - 1) + view.up * (1 - 2 * v);
+}
+
+std::uint8_t ToByte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(value * 255.f), 0L, 255L));
+}
+
+void CheckSize(int width, int height) {
+  if (width < 1 || height < 1 || width > 4096 || height > 4096) {
+    throw std::invalid_argument("a picture is 1 to 4096 pixels wide and high");
+  }
+}
+
+}  // namespace
+
+struct SceneCamera::Impl {
+  // A rigid piece and its place in the whole.
+  struct Piece {
+    std::unique_ptr<EmbreeBody> body;
+    RTCGeometry instance;
+    Eigen::Matrix3f turn;
+  };
+
+  explicit Impl(const SceneVisuals& visuals);
+  ~Impl();
+
+  void AddPiece(const VisualBody& visual);
+  void Pose(const std::vector<Eigen::Isometry3d>& poses);
+  void Place(Piece* piece, const Eigen::Isometry3d& pose);
+  Color Pixel(const View& view, int x, int y, int width, int height);
+  void Shade(const RTCRayHit4& rays, Color colors[kLanes]) const;
+  void Shadows(const RTCRayHit4& rays, const Eigen::Vector3f normals[kLanes],
+               bool lit[kLanes]) const;
+
+  LightDescription light;
+  Eigen::Vector3f lamp;
+  RTCScene scene;
+  std::vector<Piece> pieces;  // the still one first
+};
+
+SceneCamera::Impl::Impl(const SceneVisuals& visuals)
+    : light(visuals.light),
+      lamp(visuals.light.towards.cast<float>()),
+      scene(rtcNewScene(SharedEmbreeDevice())) {
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);
+  AddPiece(visuals.still);
+  for (const VisualBody& body : visuals.moving) AddPiece(body);
+}
+
+SceneCamera::Impl::~Impl() {
+  for (const Piece& piece : pieces) rtcReleaseGeometry(piece.instance);
+  rtcReleaseScene(scene);
+}
+
+void SceneCamera::Impl::AddPiece(const VisualBody& visual) {
+  Piece piece;
+  piece.body = std::make_unique<EmbreeBody>(visual);
+  piece.instance = rtcNewGeometry(SharedEmbreeDevice(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(piece.instance, piece.body->scene());
+  Place(&piece, Eigen::Isometry3d::Identity());
+  rtcAttachGeometryByID(scene, piece.instance, static_cast<unsigned>(pieces.size()));
+  pieces.push_back(std::move(piece));
+}
+
+void SceneCamera::Impl::Place(Piece* piece, const Eigen::Isometry3d& pose) {
+  const Eigen::Matrix<float, 3, 4> columns = pose.matrix().topRows<3>().cast<float>();
+  piece->turn = columns.leftCols<3>();
+  rtcSetGeometryTransform(piece->instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  rtcCommitGeometry(piece->instance);
+}
+
+void SceneCamera::Impl::Pose(const std::vector<Eigen::Isometry3d>& poses) {
+  if (poses.size() + 1 != pieces.size()) {
+    throw std::invalid_argument("the camera has " + std::to_string(pieces.size() - 1) +
+                                " moving bodies, not " + std::to_string(poses.size()));
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) Place(&pieces[i + 1], poses[i]);
+  rtcCommitScene(scene);
+}
+
+Color SceneCamera::Impl::Pixel(const View& view, int x, int y, int width, int height) {
+  alignas(16) RTCRayHit4 rays = {};
+  alignas(16) const int valid[kLanes] = {-1, -1, -1, -1};
+  for (int i = 0; i < kLanes; ++i) {
+    const float u = (static_cast<float>(x) + (i % 2 == 0 ? 0.25f : 0.75f)) / width;
+    const float v = (static_cast<float>(y) + (i / 2 == 0 ? 0.25f : 0.75f)) / height;
+    const Eigen::Vector3f direction = Direction(view, u, v);
+    rays.ray.org_x[i] = view.eye.x();
+    rays.ray.org_y[i] = view.eye.y();
+    rays.ray.org_z[i] = view.eye.z();
+    rays.ray.dir_x[i] = direction.x();
+    rays.ray.dir_y[i] = direction.y();
+    rays.ray.dir_z[i] = direction.z();
+    rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.ray.mask[i] = ~0u;
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect4(valid, scene, &context, &rays);
+  Color colors[kLanes];
+  Shade(rays, colors);
+  return (colors[0] + colors[1] + colors[2] + colors[3]) * 0.25f;
+}
+
+void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) const {
+  Eigen::Vector3f normals[kLanes];
+  bool lit[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    lit[i] = false;
+    normals[i].setZero();
+    if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    const Eigen::Vector3f own(rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]);
+    normals[i] = (pieces[rays.hit.instID[0][i]].turn * own).normalized();
+    const Eigen::Vector3f ray(rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]);
+    if (normals[i].dot(ray) > 0) normals[i] = -normals[i];
+    lit[i] = normals[i].dot(lamp) > 0;
+  }
+  Shadows(rays, normals, lit);
+  const auto even = static_cast<float>(light.ambient);
+  for (int i = 0; i < kLanes; ++i) {
+    if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
+      colors[i] = light.sky;
+      continue;
+    }
+    const float direct = lit[i] ? normals[i].dot(lamp) : 0.f;
+    const float around = 1 - kFromAbove + kFromAbove * normals[i].z();
+    colors[i] = pieces[rays.hit.instID[0][i]].body->color(rays.hit.geomID[i]) *
+                (even * around + (1 - even) * direct);
+  }
+}
+
+// Clears `lit` where something stands between the surface and the lamp.
+void SceneCamera::Impl::Shadows(const RTCRayHit4& rays, const Eigen::Vector3f normals[kLanes],
+                                bool lit[kLanes]) const {
+  alignas(16) RTCRay4 shadows = {};
+  alignas(16) int valid[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    valid[i] = lit[i] ? -1 : 0;
+    const float t = lit[i] ? rays.ray.tfar[i] : 0.f;
+    shadows.org_x[i] = rays.ray.org_x[i] + t * rays.ray.dir_x[i] + kLift * normals[i].x();
+    shadows.org_y[i] = rays.ray.org_y[i] + t * rays.ray.dir_y[i] + kLift * normals[i].y();
+    shadows.org_z[i] = rays.ray.org_z[i] + t * rays.ray.dir_z[i] + kLift * normals[i].z();
+    shadows.dir_x[i] = lamp.x();
+    shadows.dir_y[i] = lamp.y();
+    shadows.dir_z[i] = lamp.z();
+    shadows.tfar[i] = std::numeric_limits<float>::infinity();
+    shadows.mask[i] = ~0u;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded4(valid, scene, &context, &shadows);
+  for (int i = 0; i < kLanes; ++i) lit[i] = lit[i] && shadows.tfar[i] >= 0;
+}
+
+SceneCamera::SceneCamera(const SceneVisuals& visuals) : impl_(std::make_unique<Impl>(visuals)) {}
+
+SceneCamera::~SceneCamera() = default;
+
+Image SceneCamera::Render(const CameraDescription& camera,
+                          const std::vector<Eigen::Isometry3d>& poses, double light, int width,
+                          int height) {
+  CheckSize(width, height);
+  impl_->Pose(poses);
+  const View view = MakeView(camera, width, height);
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
+  std::uint8_t* pixel = image.rgb.data();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Color color = impl_->Pixel(view, x, y, width, height) * static_cast<float>(light);
+      for (int k = 0; k < 3; ++k) *pixel++ = ToByte(color[k]);
+    }
+  }
+  return image;
+}
+
+DepthImage SceneCamera::RenderDepth(const CameraDescription& camera,
+                                    const std::vector<Eigen::Isometry3d>& poses, int width,
+                                    int height) {
+  CheckSize(width, height);
+  impl_->Pose(poses);
+  const View view = MakeView(camera, width, height);
+  DepthImage image;
+  image.width = width;
+  image.height = height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Eigen::Vector3f d = Direction(view, (x + 0.5f) / width, (y + 0.5f) / height);
+      RTCRayHit ray = {};
+      ray.ray = {view.eye.x(),
+                 view.eye.y(),
+                 view.eye.z(),
+                 0,
+                 d.x(),
+                 d.y(),
+                 d.z(),
+                 0,
+                 std::numeric_limits<float>::infinity(),
+                 ~0u,
+                 0,
+                 0};
+      ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      RTCIntersectContext context;
+      rtcInitIntersectContext(&context);
+      rtcIntersect1(impl_->scene, &context, &ray);
+      const bool hit = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+      image.depth.push_back(ray.ray.tfar);  // the ray's direction has length 1 along the axis
+      image.body.push_back(hit ? static_cast<int>(ray.hit.instID[0]) - 1 : DepthImage::kSky);
+    }
+  }
+  return image;
+}
+
+}  // namespace prospect::sim
