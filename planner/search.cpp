@@ -72,7 +72,9 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       claims_(parameters_.samples),
       settlement_(parameters_.stop_when_proven, parameters_.stop_when_stable),
       children_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index)),
-                parameters_.seed) {
+                parameters_.seed),
+      foreign_(&paths_),
+      tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))) {
   if (!PathTree(rules_.num_actions).Valid(executed_)) {
     throw std::invalid_argument("executed actions are not of this task: " + ToString(executed_));
   }
@@ -96,12 +98,18 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
   return stored == Stored::kReplaced ? Delivery::kReplaced : Delivery::kDuplicate;
 }
 
-void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us) {
+void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us,
+                           std::uint64_t writer) {
   if (!TakesFromOthers()) return;
   for (const Path& path : paths) {
     if (path.size() > kMaxPathLength || !rules_.Legal(executed_, path)) continue;
     const PathId id = paths_.Add(path);
-    if (evaluations_.Has(id) || NodeOf(id).pending == Pending::kOwn) continue;
+    if (writer != 0) foreign_.Hear(writer, id, now_us);
+    if (evaluations_.Has(id)) continue;
+    if (NodeOf(id).pending == Pending::kOwn) {
+      if (writer != 0 && writer < identity_.writer) LeaveTo(id);
+      continue;
+    }
     SetPending(id, Pending::kForeign, now_us);
   }
 }
@@ -111,6 +119,8 @@ int Search::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
   if (!TakesFromOthers() && !apart_until_done) return 0;
   if (parameters_.sharing == Sharing::kFull) claims_.Share(OwnBegun(), now_us);
   const int changed = statistics_.Merge(batch, now_us);
+  foreign_.Settle(batch.writer, now_us - parameters_.patience_us,
+                  [this](PathId id) { return evaluations_.Has(id); });
   Absorb();
   return changed;
 }
@@ -155,10 +165,9 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
     double value = 0;
     if (Walk(&at, &value) == Walked::kEnded) {
       BackUp(at, value);
-    } else if (NodeOf(at).pending == Pending::kNo && OutOfEvaluations()) {
-      GiveUp(at);
+    } else if (!Request(at, now_us, requests) && NodeOf(at).pending != Pending::kOwn) {
+      GiveUp(at);  // somebody else's rollout waits there, or no more evaluations are allowed
     } else {
-      Request(at, now_us, requests);
       rollouts_[kept++] = at;
     }
   }
@@ -220,6 +229,7 @@ bool Search::Request(PathId id, std::int64_t now_us, std::vector<Path>* requests
   if (node.pending == Pending::kOwn) return false;
   const bool fresh = now_us - node.pending_since_us < parameters_.patience_us;
   if (node.pending == Pending::kForeign && fresh) return false;
+  if (OutOfEvaluations()) return false;
   SetPending(id, Pending::kOwn, now_us);
   requests->push_back(paths_.PathOf(id));
   return true;
@@ -262,6 +272,12 @@ void Search::Abandon(const Path& path) {
   const PathId id = paths_.Find(path);
   if (id == kNoPath || evaluations_.Has(id)) return;
   SetPending(id, Pending::kNo, 0);
+  LeaveTo(id);
+}
+
+// Gives up the rollouts that wait for `id`: it will not come, or another worker asked for it at the
+// same time and the same rollout would count twice.
+void Search::LeaveTo(PathId id) {
   const auto waits = [id](PathId at) { return at == id; };
   for (const PathId at : rollouts_) {
     if (waits(at)) GiveUp(at);

@@ -24,6 +24,7 @@
 
 #include "planner/child_lists.h"
 #include "planner/evaluation_table.h"
+#include "planner/foreign_rollouts.h"
 #include "planner/plan.h"
 #include "planner/plan_reader.h"
 #include "planner/rollout_claims.h"
@@ -74,9 +75,10 @@ class Search {
   // An evaluation, whoever asked for it. `fingerprint`: the engine's. The rollouts that waited for
   // it move at the next Advance.
   Delivery Deliver(const Path& path, const Evaluation& evaluation, std::uint64_t fingerprint);
-  // Another worker asked for these paths: they count as in flight, and this worker does not ask
-  // too, for patience_us.
-  void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us);
+  // Another worker asked for these paths: this worker does not ask too, for patience_us. Its
+  // rollouts count as in flight there until its next batch says more, if `writer` tells whose they
+  // are (0: unknown; then only the path itself counts, until its evaluation comes).
+  void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us, std::uint64_t writer = 0);
   // Other workers' rows; see SharedStatistics::Merge. Workers that search apart (a search that was
   // never told to Advance only watches, and takes all) take none until their part is done, and with
   // Sharing::kNone none ever; the same goes for NoteRequested.
@@ -165,7 +167,8 @@ class Search {
   ParentView ViewOf(PathId id, const ChildLists::List& list) const;
   void ViewChildren(PathId id, ChildEntry* entries, int count);
   int Best(const ChildEntry* entries, int count) const;
-  std::int64_t ExtraInFlight(PathId child) const;
+  void LetOthersChooseFirst(PathId id, const ChildLists::List& list, const ParentView& parent);
+  std::int64_t InFlightOfOthers(PathId id) const;
   Walked Walk(PathId* at, double* value);
   void BackUp(PathId leaf, double value);
   void GiveUp(PathId leaf);
@@ -177,6 +180,7 @@ class Search {
   // Many rollouts: search.cpp.
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
   int StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  void LeaveTo(PathId id);
   void AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests);
   bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
   void SetPending(PathId id, Pending pending, std::int64_t now_us);
@@ -200,6 +204,8 @@ class Search {
   RolloutClaims claims_;
   Settlement settlement_;
   ChildLists children_;
+  ForeignRollouts foreign_;
+  std::uint64_t tie_seed_;
   std::vector<Node> nodes_;            // by path id
   std::vector<std::uint8_t> allowed_;  // allowed actions of all nodes, one after the other
   std::vector<PathId> rollouts_;       // own rollouts in flight: the path each waits for

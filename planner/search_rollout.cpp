@@ -70,7 +70,9 @@ PathId Search::SelectChild(PathId id) {
   if (list.count == 0) return kNoPath;
   ChildEntry* entries = children_.Entries(list);
   ViewChildren(id, entries, list.count);
-  rule_->ScoreAll(ViewOf(id, list), views_.data(), list.count, scores_.data());
+  const ParentView parent = ViewOf(id, list);
+  if (statistics_.live_writers() > 1) LetOthersChooseFirst(id, list, parent);
+  rule_->ScoreAll(parent, views_.data(), list.count, scores_.data());
   ChildEntry& chosen = entries[Best(entries, list.count)];
   if (chosen.id == kNoPath) chosen.id = paths_.Add(id, chosen.action);
   return chosen.id;
@@ -113,18 +115,38 @@ void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
     view.draw = entry.draw;
     const PathTotals& totals = statistics_.totals(entry.id);
     view.visits = totals.visits;
-    view.in_flight = totals.in_flight + ExtraInFlight(entry.id);
+    view.in_flight = statistics_.own_in_flight(entry.id) + InFlightOfOthers(entry.id);
     view.mean = totals.mean();
     view.best = totals.best;
   }
 }
 
-// A path that another worker asked for counts as one visit until that worker's own rows say so.
-std::int64_t Search::ExtraInFlight(PathId child) const {
-  if (child == kNoPath || child >= static_cast<int>(nodes_.size())) return 0;
-  if (nodes_[child].pending != Pending::kForeign) return 0;
-  const bool said = statistics_.totals(child).in_flight > statistics_.own_in_flight(child);
-  return said ? 0 : 1;
+// Rollouts of other workers that are at this node, but at none of its children yet, are about to
+// choose as this one is, from the same numbers: all would go the same way. As if a few of them, by
+// a hash of the worker, had chosen before. Workers that knew of each other would go the same ways.
+void Search::LetOthersChooseFirst(PathId id, const ChildLists::List& list,
+                                  const ParentView& parent) {
+  std::int64_t undecided = InFlightOfOthers(id);
+  const ChildEntry* entries = children_.Entries(list);
+  for (int i = 0; i < list.count && undecided > 0; ++i) {
+    undecided -= InFlightOfOthers(entries[i].id);
+  }
+  if (undecided <= 0) return;
+  const auto visits = static_cast<std::uint64_t>(parent.visits);
+  const std::uint64_t draw = HashCombine(HashCombine(tie_seed_, paths_.hash(id)), visits);
+  for (auto before = draw % static_cast<std::uint64_t>(undecided + 1); before > 0; --before) {
+    rule_->ScoreAll(parent, views_.data(), list.count, scores_.data());
+    ++views_[Best(entries, list.count)].in_flight;
+  }
+}
+
+// What their rows say, or what was heard since, whichever is more.
+std::int64_t Search::InFlightOfOthers(PathId id) const {
+  if (id == kNoPath) return 0;
+  const std::int64_t told = statistics_.totals(id).in_flight - statistics_.own_in_flight(id);
+  const bool asked =
+      id < static_cast<int>(nodes_.size()) && nodes_[id].pending == Pending::kForeign;
+  return std::max({told, foreign_.At(id), std::int64_t{asked ? 1 : 0}});
 }
 
 // Walks on from `*at` as far as evaluations go. kEnded: `*value` is EVALUATE's result for the last

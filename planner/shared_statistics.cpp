@@ -115,7 +115,7 @@ const PathTotals& SharedStatistics::totals(PathId id) const {
 }
 
 std::int64_t SharedStatistics::own_in_flight(PathId id) const {
-  return id < static_cast<int>(own_rows_.size()) ? own_rows_[id].in_flight : 0;
+  return id >= 0 && id < static_cast<int>(own_rows_.size()) ? own_rows_[id].in_flight : 0;
 }
 
 SharedStatistics::Row& SharedStatistics::RowOf(int writer, PathId id) {

@@ -1,7 +1,9 @@
 // prospect-bench search: what the search itself costs, and what more workers give.
-//   overhead  selection and backup, microseconds a rollout on one core, with the model's own time
-//             taken out: in a tree that grows, and in one that is wholly known
-//   workers   rollouts a second of simulated time, around one batching server (tools/bench)
+//   overhead   selection and backup, microseconds a rollout on one core, with the model's own time
+//              taken out: in a tree that grows, and in one that is wholly known
+//   simulated  workers around one batching server on a virtual clock (tools/bench/simulated_bus.h):
+//              rollouts a second, decisions against the best there is, what sharing costs, what
+//              holds it up; --arm compares ways of searching. --simulated leaves the overhead out.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -12,10 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "planner/baseline_plans.h"
 #include "planner/scripted_model.h"
 #include "planner/search.h"
-#include "tools/bench/simulated_bus.h"
+#include "tools/bench/simulated_arms.h"
 
 namespace {
 
@@ -28,10 +29,15 @@ struct Options {
   std::int64_t rollouts = 20'000;
   int depth = 10;
   std::vector<int> workers = {1, 2, 4, 8, 16};
-  std::int64_t samples = 400;
+  std::vector<std::string> arms;
+  bool simulated = false;
+  std::int64_t samples = 800;
   int seeds = 20;
+  int first_seed = 0;
+  int threads = 1;
   int leaves = 2;
   std::string json_file;
+  std::string csv_file;
 };
 
 void AddOptions(CLI::App* app, Options* options) {
@@ -43,13 +49,26 @@ void AddOptions(CLI::App* app, Options* options) {
       ->check(CLI::Range(1, 32))
       ->capture_default_str();
   app->add_option("--workers", options->workers, "Numbers of workers")
-      ->check(CLI::Range(1, 256))
+      ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app->add_option("--samples", options->samples, "Rollouts of all workers together")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  app->add_option("--seeds", options->seeds, "Trees for each number of workers")
-      ->check(CLI::Range(1, 10'000))
+  app->add_flag("--simulated", options->simulated, "Only the simulated workers");
+  app->add_option(
+      "--arm", options->arms,
+      "A way of searching, such as workers=8,sharing=merge-at-end,drop=0.3; as often as "
+      "wanted, the first is what the others are compared with. Default: one for each "
+      "number of workers");
+  app->add_option("--first-seed", options->first_seed, "Seed of the first tree")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->capture_default_str();
+  app->add_option("--threads", options->threads, "Trees searched at once")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app->add_option("--csv", options->csv_file, "Write the arms as comma-separated values, too");
+  app->add_option("--seeds", options->seeds, "Trees for each arm")
+      ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app->add_option("--leaves", options->leaves, "Rollouts a worker keeps in flight")
       ->check(CLI::Range(1, 64))
@@ -118,62 +137,53 @@ void MeasureOverhead(const Options& options, int num_actions, json* rows) {
   rows->push_back(OverheadRow("known", num_actions, options.depth, known, again));
 }
 
-json MeasureWorkers(const Options& options, int workers) {
-  tools::BusOptions bus;
-  bus.rules = planner::AnyOrder(7, 5);
-  bus.parameters.rule = options.rule;
-  bus.parameters.samples = options.samples;
-  bus.workers = workers;
-  bus.leaves = options.leaves;
-  double seconds = 0, rollouts = 0, evaluations = 0, batches = 0, optimal = 0;
-  for (int seed = 0; seed < options.seeds; ++seed) {
-    bus.seed = static_cast<std::uint64_t>(seed);
-    const tools::BusResult result = tools::SimulateBus(bus);
-    planner::ScriptedModelParameters scripted;
-    scripted.num_actions = bus.rules.num_actions;
-    scripted.seed = bus.seed;
-    planner::ScriptedModel model(scripted);
-    const planner::Plan best = planner::ExhaustivePlan(bus.rules, bus.parameters, {}, &model).plan;
-    seconds += 1e-6 * static_cast<double>(result.simulated_us);
-    rollouts += static_cast<double>(result.rollouts);
-    evaluations += static_cast<double>(result.evaluations);
-    batches += static_cast<double>(result.batches);
-    optimal += result.score == (best.ok() ? best.best.score : 0) ? 1 : 0;
+std::vector<tools::Arm> ArmsOf(const Options& options) {
+  tools::BusOptions defaults;
+  defaults.parameters.rule = options.rule;
+  defaults.parameters.samples = options.samples;
+  defaults.leaves = options.leaves;
+  std::vector<tools::Arm> arms;
+  for (const std::string& text : options.arms) arms.push_back(tools::ParseArm(text, defaults));
+  if (!arms.empty()) return arms;
+  for (const int workers : options.workers) {
+    arms.push_back(tools::ParseArm("workers=" + std::to_string(workers), defaults));
   }
-  return {{"workers", workers},
-          {"rollouts", rollouts / options.seeds},
-          {"rollouts_per_s", rollouts / seconds},
-          {"evaluations_per_s", evaluations / seconds},
-          {"mean_batch", evaluations / batches},
-          {"optimal_rate", optimal / options.seeds}};
+  return arms;
 }
 
 json Measure(const Options& options) {
   json overhead = json::array();
-  for (const int actions : {4, 7, 36}) MeasureOverhead(options, actions, &overhead);
-  json rows = json::array();
-  for (const int workers : options.workers) rows.push_back(MeasureWorkers(options, workers));
+  if (!options.simulated) {
+    for (const int actions : {4, 7, 36}) MeasureOverhead(options, actions, &overhead);
+  }
+  const json rows =
+      tools::RunArms(ArmsOf(options), options.first_seed, options.seeds, options.threads);
   return {{"rule", options.rule}, {"overhead", overhead}, {"rows", rows}};
 }
 
-void Print(const json& report) {
-  std::printf("search overhead, rule %s\n", report["rule"].get<std::string>().c_str());
+void PrintOverhead(const json& rows) {
   std::printf("%8s %8s %6s %10s %12s %14s\n", "tree", "actions", "depth", "rollouts", "evaluations",
               "us a rollout");
-  for (const json& row : report["overhead"]) {
+  for (const json& row : rows) {
     std::printf("%8s %8d %6d %10d %12d %14.2f\n", row["tree"].get<std::string>().c_str(),
                 row["actions"].get<int>(), row["depth"].get<int>(), row["rollouts"].get<int>(),
                 row["evaluations"].get<int>(), row["us_per_rollout"].get<double>());
   }
-  std::printf("\nworkers around one server of 4 ms + 0.02 ms a row (simulated time)\n");
-  std::printf("%8s %10s %12s %14s %11s %13s\n", "workers", "rollouts", "rollouts/s",
-              "evaluations/s", "mean batch", "optimal rate");
-  for (const json& row : report["rows"]) {
-    std::printf("%8d %10.1f %12.1f %14.1f %11.2f %13.2f\n", row["workers"].get<int>(),
-                row["rollouts"].get<double>(), row["rollouts_per_s"].get<double>(),
-                row["evaluations_per_s"].get<double>(), row["mean_batch"].get<double>(),
-                row["optimal_rate"].get<double>());
-  }
+  std::printf("\n");
+}
+
+void Print(const json& report) {
+  std::printf("rule %s\n", report["rule"].get<std::string>().c_str());
+  if (!report["overhead"].empty()) PrintOverhead(report["overhead"]);
+  std::printf("workers around one server of 4 ms + 0.02 ms a row (virtual clock)\n");
+  tools::PrintArms(report["rows"]);
+}
+
+void Write(const std::string& file, const std::string& text) {
+  if (file.empty()) return;
+  std::ofstream out(file);
+  out << text;
+  if (!out) throw std::runtime_error("cannot write " + file);
 }
 
 }  // namespace
@@ -192,7 +202,11 @@ int main(int argc, char** argv) {
   try {
     const json report = Measure(options);
     Print(report);
-    if (!options.json_file.empty()) std::ofstream(options.json_file) << report.dump(2) << '\n';
+    Write(options.json_file, report.dump(2) + '\n');
+    Write(options.csv_file, tools::ArmsAsCsv(report["rows"]));
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prospect-bench: %s\n", error.what());
     return 1;

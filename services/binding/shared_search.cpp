@@ -38,7 +38,8 @@ void SharedSearch::Hear(const expand_request_t& request, std::int64_t client_id,
                         std::int64_t now_us) {
   if (!Concerns(request.search_id, request.epoch) || !sharing() || request.client_id == client_id)
     return;
-  search_->NoteRequested(FromMessages(request.paths), now_us);
+  search_->NoteRequested(FromMessages(request.paths), now_us,
+                         static_cast<std::uint64_t>(request.client_id));
 }
 
 void SharedSearch::Hear(const search_statistics_t& statistics, std::int64_t now_us) {
