@@ -15,6 +15,7 @@ namespace prospect::model {
 namespace {
 
 constexpr const char* kImageName = "agentview_image";
+constexpr const char* kLandmarksName = "landmarks";
 constexpr unsigned kDeflateLevel = 4;
 
 hsize_t Size(int n) { return static_cast<hsize_t>(n); }
@@ -56,6 +57,13 @@ void WriteImages(hid_t demo, const Trial& trial, const std::string& file) {
               file, "cannot write the images; is the disk full?");
 }
 
+void WriteLandmarks(hid_t demo, const Trial& trial, const std::string& file) {
+  if (trial.num_landmarks == 0) return;
+  hdf5::Handle obs = hdf5::OpenGroup(demo, "obs", file);
+  hdf5::Write(obs, kLandmarksName, trial.landmarks,
+              {Size(trial.frames()), Size(trial.num_landmarks), 2}, file);
+}
+
 void WriteAttributes(hid_t demo, const Trial& trial, const std::string& file) {
   hdf5::SetInteger(demo, "num_samples", trial.frames(), file);
   hdf5::SetInteger(demo, "seed", static_cast<std::int64_t>(trial.seed), file);
@@ -69,6 +77,7 @@ void WriteAttributes(hid_t demo, const Trial& trial, const std::string& file) {
   hdf5::SetInteger(demo, "height", trial.height, file);
   hdf5::SetInteger(demo, "num_actions", trial.num_actions, file);
   hdf5::SetInteger(demo, "plan_length", trial.plan_length, file);
+  hdf5::SetInteger(demo, "num_landmarks", trial.num_landmarks, file);
   hdf5::SetText(demo, "world_version", trial.world_version, file);
   hdf5::SetText(demo, "task_hash", trial.task_hash, file);
 }
@@ -88,6 +97,7 @@ void WriteDemo(hid_t data, const Trial& trial, const std::string& file) {
   hdf5::Write(demo, "segment_succeeded", trial.segment_succeeded, {trial.segment_succeeded.size()},
               file);
   WriteImages(demo, trial, file);
+  WriteLandmarks(demo, trial, file);
 }
 
 void WriteDataAttributes(hid_t data, const Trial& sample, std::int64_t frames,
@@ -132,6 +142,7 @@ void ReadAttributes(hid_t demo, const std::string& file, Trial* trial) {
   trial->width = static_cast<int>(hdf5::GetInteger(demo, "width", file));
   trial->height = static_cast<int>(hdf5::GetInteger(demo, "height", file));
   trial->num_actions = static_cast<int>(hdf5::GetInteger(demo, "num_actions", file));
+  trial->num_landmarks = static_cast<int>(hdf5::GetInteger(demo, "num_landmarks", file));
   trial->plan_length = static_cast<int>(hdf5::GetInteger(demo, "plan_length", file));
   trial->world_version = hdf5::GetText(demo, "world_version", file);
   trial->task_hash = hdf5::GetText(demo, "task_hash", file);
@@ -145,6 +156,11 @@ void ReadVectors(hid_t demo, const std::string& file, Trial* trial) {
   trial->dones = hdf5::Read<std::uint8_t>(demo, "dones", {0}, file);
   trial->present = hdf5::Read<int>(demo, "present", {0}, file);
   trial->segment_succeeded = hdf5::Read<std::int8_t>(demo, "segment_succeeded", {0}, file);
+  if (trial->num_landmarks > 0) {
+    trial->landmarks =
+        hdf5::Read<float>(demo, std::string("obs/") + kLandmarksName,
+                          {Size(trial->frames()), Size(trial->num_landmarks), 2}, file);
+  }
 }
 
 Trial ReadDemoLabels(hid_t data, std::uint64_t seed, const std::string& file) {

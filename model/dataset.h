@@ -12,8 +12,9 @@
 ///
 ///   data                              attributes total (frames), env_args (JSON)
 ///   data/demo_SEED/obs/agentview_image  uint8 [N,H,W,3], one chunk a frame, deflate
+///   data/demo_SEED/obs/landmarks      float32 [N,K,2], where the recorder knows them (K > 0)
 ///   data/demo_SEED/actions            int32 [N,1], index into the action table, num_actions = none
-///   yet data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
+///   data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
 ///   data/demo_SEED/dones              uint8 [N]     present int32 [A]   segment_succeeded int8 [S]
 ///   data/demo_SEED                    attributes num_samples, seed, task, outcome, reason, ...
 ///   mask/train, mask/valid, mask/test names of the trials of each part

@@ -8,6 +8,7 @@
 
 #include "model/engine.h"
 #include "model/hash.h"
+#include "model/networks/light.h"
 #include "model/networks/networks.h"
 #include "model/row_pool.h"
 #include "model/weights.h"
@@ -95,6 +96,14 @@ class TorchEngine : public Engine {
                          bytes.data_ptr<std::uint8_t>() + bytes.numel());
     });
     return pictures;
+  }
+
+  double Light(const std::uint8_t* rgb) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const c10::InferenceMode inference;
+    const torch::Tensor seen = Picture(rgb);
+    return LightGain(seen, networks_.decoder->forward(networks_.encoder->forward(seen)))
+        .item<double>();
   }
 
   std::vector<float> Classify(const std::uint8_t* rgb) override {

@@ -24,6 +24,9 @@ void RequireSizes(const Trial& t, bool with_images) {
           t, "actions, prev_action, segment, rewards and dones must be of one length");
   Require(t.num_actions > 0 && t.present.size() == static_cast<std::size_t>(t.num_actions), t,
           "present must have one entry an action");
+  Require(t.num_landmarks >= 0 &&
+              t.landmarks.size() == n * static_cast<std::size_t>(t.num_landmarks) * 2,
+          t, "landmarks must hold frames x num_landmarks x 2 numbers");
   Require(!with_images || t.images.size() == n * t.frame_bytes(), t,
           "images must hold frames x height x width x 3 bytes");
 }

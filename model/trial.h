@@ -49,6 +49,10 @@ struct Trial {
   std::vector<float> rewards;        ///< per frame; the outcome is paid on the last one
   std::vector<std::uint8_t> dones;   ///< 1 on the trial's last frame, else 0
 
+  int num_landmarks = 0;  ///< K points followed in the picture, may be 0 (logs of a real robot)
+  std::vector<float> landmarks;  ///< N x K x 2: u from the left, v from the top, in picture sizes;
+                                 ///< NaN where the scene has no such point (sim::Task::Landmarks)
+
   std::vector<int>
       present;          ///< per action 0 or 1: may the scene offer it (its object stands on site)
   int num_actions = 0;  ///< size of the task's action table

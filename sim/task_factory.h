@@ -10,10 +10,11 @@ namespace prospect::sim {
 
 // Scene parameters a caller may choose.
 struct TaskOptions {
-  int objects = 4;         // navigation: objects on the site, 4 to 7
-  int legs = 3;            // navigation: objects to investigate in a row, 3 to 5, at most `objects`
-  int tower = 2;           // stacking: blocks in the tower, 2 to 4
-  std::string scene_file;  // stacking: a file like config/scenes/stacking.yaml; empty: that one
+  int objects = 4;  // navigation: objects on the site, 4 to 7
+  int legs = 3;     // navigation: objects to investigate in a row, 3 to 5, at most `objects`
+  int tower = 2;    // stacking: blocks in the tower, 2 to 4
+  std::string scene_file =
+      {};  // stacking: a file like config/scenes/stacking.yaml; empty: that one
   double image_noise =
       0.01;  // sigma of the sensor noise as a share of full range; Observe() stays clean
 };

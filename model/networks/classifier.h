@@ -15,6 +15,12 @@ class ClassifierImpl : public torch::nn::Module {
   /// Images [B,3,H,W] in [0,1] to logits [B,num_actions] (softmax over actions).
   torch::Tensor forward(const torch::Tensor& x);
 
+  /// The two halves of forward: to the map [B,kMapChannels,H/8,W/8] behind the third stride, and
+  /// on.
+  torch::Tensor Map(const torch::Tensor& x);
+  torch::Tensor Judge(const torch::Tensor& map);
+  static constexpr int kMapChannels = 128;
+
  private:
   double dropout_;
   torch::nn::Sequential conv_{nullptr};

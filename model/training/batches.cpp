@@ -40,16 +40,28 @@ const SegmentSample& ChainBatch::segment(std::size_t row, int step) const {
   return context_.segment(chains_[row].segments[static_cast<std::size_t>(step)]);
 }
 
-torch::Tensor ChainBatch::First() const {
+std::vector<int> ChainBatch::FirstSlots() const {
   std::vector<int> slots;
   for (const Chain& chain : chains_) slots.push_back(chain.first);
-  return context_.hidden->Get(slots, variants_).to(context_.device);
+  return slots;
+}
+
+torch::Tensor ChainBatch::First() const {
+  return context_.hidden->Get(FirstSlots(), variants_).to(context_.device);
 }
 
 torch::Tensor ChainBatch::Start() const {
   std::vector<int> slots;
   for (const Chain& chain : chains_) slots.push_back(chain.start);
   return context_.hidden->Get(slots, variants_).to(context_.device);
+}
+
+std::vector<int> ChainBatch::Turns() const {
+  std::vector<int> turns;
+  for (std::size_t i = 0; i < size(); ++i) {
+    turns.push_back(context_.Turn(segment(i, 0).trial, variants_[i]));
+  }
+  return turns;
 }
 
 std::vector<int> ChainBatch::GoalSlots(int step) const {

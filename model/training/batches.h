@@ -44,6 +44,8 @@ class ChainBatch {
   torch::Tensor Actions(int step) const;    ///< [B] int64
   torch::Tensor Weights(int step) const;    ///< [B]
   torch::Tensor Succeeded(int step) const;  ///< [B], f's label
+  std::vector<int> Turns() const;           ///< how each row's pictures are turned
+  std::vector<int> FirstSlots() const;      ///< slots of x0
   /// Slots of the goal pictures.
   std::vector<int> GoalSlots(int step) const;
 

@@ -8,6 +8,10 @@ torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_pic
   return ((difference - 0.08) / 0.1).clamp(0.0, 1.0) * focus + 1.0;
 }
 
+int TurnOf(const TrainConfig& config, int trial_index, int variant) {
+  return config.augment == "dihedral" ? (trial_index + variant) % 8 : 0;
+}
+
 torch::Tensor ActionTensor(const std::vector<int>& actions, const torch::Device& device) {
   torch::Tensor tensor = torch::empty({static_cast<int64_t>(actions.size())}, torch::kLong);
   for (std::size_t i = 0; i < actions.size(); ++i) tensor.data_ptr<int64_t>()[i] = actions[i];

@@ -53,6 +53,15 @@ torch::Tensor Dihedral(const torch::Tensor& pictures, int element) {
   return element % 4 == 0 ? flipped : flipped.rot90(element % 4, {2, 3});
 }
 
+torch::Tensor Dihedral(const torch::Tensor& pictures, const std::vector<int>& elements) {
+  torch::Tensor turned = torch::empty_like(pictures, at::MemoryFormat::Contiguous);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto row = static_cast<int64_t>(i);
+    turned.narrow(0, row, 1).copy_(Dihedral(pictures.narrow(0, row, 1), elements[i]));
+  }
+  return turned;
+}
+
 PictureCache::PictureCache(const std::string& path, const TrialFile& file, const SampleSet& set,
                            const ProgressFn& progress)
     : width_(set.width),
@@ -83,8 +92,9 @@ torch::Tensor PictureCache::Mean(const std::vector<int>& slots) const {
 }
 
 HiddenCache::HiddenCache(const std::string& path, const PictureCache& pictures, std::size_t slots,
-                         int variants, Encoder encoder, const NetworkConfig& config, int threads,
-                         const torch::Device& device, const ProgressFn& progress)
+                         int variants, const TurnFn& turn, Encoder encoder,
+                         const NetworkConfig& config, int threads, const torch::Device& device,
+                         const ProgressFn& progress)
     : config_(config),
       slots_(slots),
       variants_(variants),
@@ -96,8 +106,10 @@ HiddenCache::HiddenCache(const std::string& path, const PictureCache& pictures, 
               const auto total = static_cast<std::int64_t>(slots) * variants;
               const auto encode = [&](std::int64_t begin, std::int64_t end, int variant) {
                 const torch::NoGradGuard no_grad;
-                const torch::Tensor x =
-                    Dihedral(pictures.Get(Range(begin, end)), variant).contiguous().to(device);
+                const std::vector<int> range = Range(begin, end);
+                std::vector<int> turns;
+                for (const int slot : range) turns.push_back(turn(slot, variant));
+                const torch::Tensor x = Dihedral(pictures.Get(range), turns).to(device);
                 const torch::Tensor h = encoder->forward(x).to(torch::kCPU).contiguous();
                 const std::size_t row =
                     static_cast<std::size_t>(variant) * slots + static_cast<std::size_t>(begin);

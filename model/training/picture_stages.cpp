@@ -13,11 +13,18 @@ class ClassifierStage : public Stage {
       if (context.segment(s).succeeded) segments_.push_back(s);
     }
     if (segments_.empty()) throw DataError("no training segment succeeded; collect more trials");
+    if (context.landmarks) {
+      readout_ = LandmarkReadout(ClassifierImpl::kMapChannels, context.samples.num_landmarks, 1.0);
+      readout_->to(context.device);
+    }
   }
   std::string name() const override { return name_; }
   const StageConfig& config() const override { return context_.config.classifier; }
   std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
-    return {{"classifier", classifier_.ptr().get()}};
+    std::vector<std::pair<std::string, torch::nn::Module*>> all = {
+        {"classifier", classifier_.ptr().get()}};
+    if (readout_) all.emplace_back("landmarks", readout_.ptr().get());
+    return all;
   }
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
@@ -29,18 +36,33 @@ class ClassifierStage : public Stage {
       slots.push_back(segment.goal);
       actions.push_back(segment.action);
     }
+    const int turn = DrawTurn(context_.config, &random);
     const torch::Tensor x =
-        Dihedral(context_.pictures.Get(slots), DrawTurn(context_.config, &random)).contiguous();
-    const torch::Tensor logits = classifier_->forward(x.to(context_.device));
+        Dihedral(context_.pictures.Get(slots), turn).contiguous().to(context_.device);
+    const torch::Tensor map = classifier_->Map(x);
+    const torch::Tensor logits = classifier_->Judge(map);
     const torch::Tensor target = ActionTensor(actions, context_.device);
     const torch::Tensor loss = torch::cross_entropy_loss(logits, target);
     const double right = logits.argmax(1).eq(target).to(torch::kFloat).mean().item<double>();
-    return {loss, {{"cross_entropy", loss.item<double>()}, {"accuracy", right}}};
+    LossParts result{loss, {{"cross_entropy", loss.item<double>()}, {"accuracy", right}}};
+    if (readout_) AddLandmarks(map, slots, turn, &result);
+    return result;
   }
 
  private:
+  void AddLandmarks(const torch::Tensor& map, const std::vector<int>& slots, int turn,
+                    LossParts* result) {
+    const std::vector<int> turns(slots.size(), turn);
+    const torch::Tensor maps =
+        LandmarkMaps(context_.samples, slots, turns, map.size(2), map.size(3)).to(context_.device);
+    const torch::Tensor loss = LandmarkLoss(readout_->forward(map), maps).mean();
+    result->loss = result->loss + context_.config.landmark_weight * loss;
+    result->parts.emplace_back("landmarks", loss.item<double>());
+  }
+
   const TrainContext& context_;
   Classifier classifier_;
+  LandmarkReadout readout_{nullptr};
   std::string name_;
   std::vector<int> segments_;
 };
@@ -54,8 +76,11 @@ class EncoderDecoderStage : public Stage {
   std::string name() const override { return "encoder-decoder"; }
   const StageConfig& config() const override { return context_.config.encoder_decoder; }
   std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
-    return {{"encoder", context_.networks.encoder.ptr().get()},
-            {"decoder", context_.networks.decoder.ptr().get()}};
+    std::vector<std::pair<std::string, torch::nn::Module*>> all = {
+        {"encoder", context_.networks.encoder.ptr().get()},
+        {"decoder", context_.networks.decoder.ptr().get()}};
+    if (context_.landmarks) all.emplace_back("landmarks", context_.landmarks.ptr().get());
+    return all;
   }
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
@@ -71,12 +96,27 @@ class EncoderDecoderStage : public Stage {
     x = Dihedral(x, turn).contiguous();
     weights = Dihedral(weights, turn);
     Networks networks = context_.networks;
-    const torch::Tensor error = (networks.decoder->forward(networks.encoder->forward(x)) - x).abs();
+    const torch::Tensor h = networks.encoder->forward(x);
+    const torch::Tensor decoded = networks.decoder->forward(h);
+    const torch::Tensor error = (decoded * LightGain(x, decoded) - x).abs();
     const torch::Tensor loss = (error * weights).mean();
-    return {loss, {{"loss", loss.item<double>()}, {"l1", error.mean().item<double>()}}};
+    LossParts result{loss, {{"loss", loss.item<double>()}, {"l1", error.mean().item<double>()}}};
+    if (context_.landmarks) AddLandmarks(h, slots, turn, &result);
+    return result;
   }
 
  private:
+  void AddLandmarks(const torch::Tensor& h, const std::vector<int>& slots, int turn,
+                    LossParts* result) const {
+    LandmarkReadout readout = context_.landmarks;
+    const std::vector<int> turns(slots.size(), turn);
+    const torch::Tensor maps =
+        LandmarkMaps(context_.samples, slots, turns, h.size(2), h.size(3)).to(context_.device);
+    const torch::Tensor loss = LandmarkLoss(readout->forward(h), maps).mean();
+    result->loss = result->loss + context_.config.landmark_weight * loss;
+    result->parts.emplace_back("landmarks", loss.item<double>());
+  }
+
   const TrainContext& context_;
   std::vector<int> slots_;
 };

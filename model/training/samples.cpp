@@ -16,15 +16,23 @@ constexpr std::uint64_t kMidStream = 0x6d6964;  // "mid"
 /// Gives each frame of one trial its slot, once.
 class Slots {
  public:
-  Slots(int trial, SampleSet* set) : trial_(trial), set_(set) {}
+  Slots(const Trial& trial, int number, SampleSet* set)
+      : trial_(trial), number_(number), set_(set) {}
   int Of(int frame) {
     const auto [found, is_new] = slots_.emplace(frame, static_cast<int>(set_->frames.size()));
-    if (is_new) set_->frames.push_back({trial_, frame});
+    if (is_new) Add(frame);
     return found->second;
   }
 
  private:
-  int trial_;
+  void Add(int frame) {
+    set_->frames.push_back({number_, frame});
+    const auto begin = trial_.landmarks.begin() + frame * trial_.num_landmarks * 2;
+    set_->landmarks.insert(set_->landmarks.end(), begin, begin + trial_.num_landmarks * 2);
+  }
+
+  const Trial& trial_;
+  int number_;
   SampleSet* set_;
   std::map<int, int> slots_;
 };
@@ -60,9 +68,11 @@ std::vector<int> ChooseMids(const Trial& trial, const Span& span, int count) {
 
 void RequireSameKind(const Trial& trial, const SampleSet& set) {
   if (trial.task != set.task || trial.task_hash != set.task_hash || trial.width != set.width ||
-      trial.height != set.height || trial.num_actions != set.num_actions) {
-    throw DataError("trial of seed " + std::to_string(trial.seed) +
-                    ": another task, action table or picture size than the first trial's");
+      trial.height != set.height || trial.num_actions != set.num_actions ||
+      trial.num_landmarks != set.num_landmarks) {
+    throw DataError(
+        "trial of seed " + std::to_string(trial.seed) +
+        ": another task, action table, number of landmarks or picture size than the first trial's");
   }
 }
 
@@ -105,10 +115,11 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
     set->width = trial.width;
     set->height = trial.height;
     set->num_actions = trial.num_actions;
+    set->num_landmarks = trial.num_landmarks;
   }
   RequireSameKind(trial, *set);
   const int number = static_cast<int>(set->trials.size());
-  Slots slots(number, set);
+  Slots slots(trial, number, set);
   TrialSample sample;
   sample.seed = trial.seed;
   sample.index = index;

@@ -26,17 +26,19 @@ TrainConfig Navigation() {
   c.network.head_dropout = 0.2;  // tens of thousands of scenes: 0.5 underfits
   // The site is seen from straight above, and nothing in it prefers a direction.
   c.augment = "dihedral";
+  c.mids_per_segment = 1;
   c.hidden_variants = 2;
-  c.focus = 8.0;
-  c.classifier = {700, 16, 1e-3};
-  c.encoder_decoder = {3000, 16, 1.5e-3};
-  c.transform_hidden = {4500, 32, 1e-3};
-  c.transform_image = {150, 16, 3e-4};
-  c.heads = {2000, 32, 1e-3};
+  c.focus = 5.0;
+  c.landmark_weight = 2.0;
+  c.classifier = {1500, 16, 1e-3};
+  c.encoder_decoder = {4000, 16, 1.5e-3};
+  c.transform_hidden = {6000, 32, 1e-3};
+  c.transform_image = {300, 16, 3e-4};
+  c.heads = {3000, 32, 1e-3};
   c.linked_steps = 3;  // plans have three to five legs
   c.repeat_last = false;
   c.start_share = 0.8;  // the planner always looks between actions
-  c.done_weight = 0.05;
+  c.done_weight = 0.2;
   return c;
 }
 
@@ -68,6 +70,7 @@ void Validate(const TrainConfig& c) {
   Require(c.hidden_variants >= 1 && c.hidden_variants <= (c.augment == "none" ? 1 : 8),
           "hidden_variants: must be 1, or up to 8 with augment = dihedral");
   Require(c.focus >= 0, "focus: must not be negative");
+  Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");
   Require(c.linked_steps >= 1 && c.linked_steps <= 5, "linked_steps: must be 1 to 5");
   Require(c.start_share >= 0 && c.start_share <= 1, "start_share: must be 0 to 1");
   Require(c.imagined_share >= 0 && c.imagined_share <= 1, "imagined_share: must be 0 to 1");
@@ -99,6 +102,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"augment", c.augment},
           {"hidden_variants", c.hidden_variants},
           {"focus", c.focus},
+          {"landmark_weight", c.landmark_weight},
           {"classifier", c.classifier},
           {"encoder_decoder", c.encoder_decoder},
           {"transform_hidden", c.transform_hidden},
@@ -122,6 +126,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("augment", &c.augment)
       .Read("hidden_variants", &c.hidden_variants)
       .Read("focus", &c.focus)
+      .Read("landmark_weight", &c.landmark_weight)
       .Read("classifier", &c.classifier)
       .Read("encoder_decoder", &c.encoder_decoder)
       .Read("transform_hidden", &c.transform_hidden)

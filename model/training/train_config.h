@@ -45,6 +45,10 @@ struct TrainConfig {
   /// at all.
   double focus = 0.0;
 
+  /// Beyond the paper: weight of the landmarks' cross-entropy (model/training/landmarks.h) in the
+  /// losses of C, of the encoder, and of T; 0, or a data set without landmarks, leaves it out.
+  double landmark_weight = 0.0;
+
   StageConfig classifier;       ///< C, and the second classifier
   StageConfig encoder_decoder;  ///< f_enc and f_dec
   StageConfig

@@ -96,10 +96,14 @@ struct Trainer::Impl {
         file(o.data),
         samples(ReadSamplesOfTask(file, c, o.task)),
         data_hash(file.ContentHash()),
-        data_key(KeyOf({"data-1", data_hash, c.mids_per_segment})),
+        data_key(KeyOf({"data-2", data_hash, c.mids_per_segment})),
         pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
         context{config, samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
                 {}} {
+    if (config.landmark_weight > 0 && samples.num_landmarks > 0) {
+      context.landmarks = LandmarkReadout(c.network.hidden_channels, samples.num_landmarks,
+                                          LandmarkReadoutImpl::kHiddenScale);
+    }
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) from_hash = HexText(WeightsFileHash(o.from));
   }
@@ -111,10 +115,17 @@ struct Trainer::Impl {
   /// First weights of one network: from the weights file asked for, or random, by the stage's own
   /// seed.
   void Initialise(const std::string& prefix, torch::nn::Module* module) const {
+    InitialiseFresh(prefix, module);
+    if (options.from.empty()) return;
+    module->to(torch::kCPU);
+    LoadModule(options.from, prefix, module);
+    module->to(context.device);
+  }
+
+  void InitialiseFresh(const std::string& prefix, torch::nn::Module* module) const {
     torch::manual_seed(Mix64(config.seed ^ HashText(prefix)));
     module->to(torch::kCPU);
     InitialiseGlorot(module);
-    if (!options.from.empty()) LoadModule(options.from, prefix, module);
     module->to(context.device);
   }
 
@@ -134,24 +145,24 @@ struct Trainer::Impl {
     return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});
   }
   std::string ClassifierKey() const {
-    return KeyOf({"classifier-1", BaseKey(), PictureNetwork(config.network),
+    return KeyOf({"classifier-3", BaseKey(), PictureNetwork(config.network),
                   config.network.num_actions, config.network.head_dropout, config.augment,
-                  config.classifier});
+                  config.landmark_weight, config.classifier});
   }
   std::string EncoderKey() const {
-    return KeyOf({"encoder-1", BaseKey(), PictureNetwork(config.network), config.augment,
-                  config.focus, config.encoder_decoder});
+    return KeyOf({"encoder-3", BaseKey(), PictureNetwork(config.network), config.augment,
+                  config.focus, config.landmark_weight, config.encoder_decoder});
   }
   std::string HiddenKey() const {
-    return KeyOf({"hidden-1", EncoderKey(), config.hidden_variants});
+    return KeyOf({"hidden-2", EncoderKey(), config.hidden_variants});
   }
   std::string TransformHiddenKey() const {
-    return KeyOf({"transform-hidden-1", HiddenKey(), TransformNetwork(config.network),
+    return KeyOf({"transform-hidden-2", HiddenKey(), TransformNetwork(config.network),
                   HeadNetwork(config.network), config.transform_hidden, config.linked_steps,
                   config.repeat_last, config.start_share, config.done_weight});
   }
   std::string TransformKey() const {
-    return KeyOf({"transform-image-1", TransformHiddenKey(), ClassifierKey(),
+    return KeyOf({"transform-image-2", TransformHiddenKey(), ClassifierKey(),
                   config.transform_image, config.lambda});
   }
   std::string HeadsKey() const {
@@ -177,15 +188,19 @@ struct Trainer::Impl {
   void TrainEncoder() {
     Initialise("encoder", context.networks.encoder.ptr().get());
     Initialise("decoder", context.networks.decoder.ptr().get());
+    if (context.landmarks) InitialiseFresh("landmarks", context.landmarks.ptr().get());
     TrainOrLoad("encoder-decoder", MakeEncoderDecoderStage(context).get(), EncoderKey());
   }
 
   void Encode() {
     const NetworkConfig& n = config.network;
-    hidden = std::make_unique<HiddenCache>(CachePath(options, "hidden", HiddenKey()), pictures,
-                                           samples.frames.size(), config.hidden_variants,
-                                           context.networks.encoder, n, options.threads,
-                                           context.device, ProgressOf("encodings"));
+    hidden = std::make_unique<HiddenCache>(
+        CachePath(options, "hidden", HiddenKey()), pictures, samples.frames.size(),
+        config.hidden_variants,
+        [this](int slot, int variant) {
+          return context.Turn(samples.frames[static_cast<std::size_t>(slot)].trial, variant);
+        },
+        context.networks.encoder, n, options.threads, context.device, ProgressOf("encodings"));
     context.hidden = hidden.get();
   }
 

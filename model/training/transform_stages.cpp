@@ -11,6 +11,8 @@ class TransformStage : public Stage {
   explicit TransformStage(const TrainContext& context)
       : context_(context), segments_(context.samples.SegmentsOf(Split::kTrain)) {
     if (segments_.empty()) throw DataError("the training part has no actions; collect more trials");
+    if (!context.landmarks) return;
+    for (torch::Tensor& tensor : context.landmarks->parameters()) tensor.set_requires_grad(false);
   }
   std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
     return {{"transform", context_.networks.transform.ptr().get()},
@@ -18,7 +20,7 @@ class TransformStage : public Stage {
   }
 
  protected:
-  ChainBatch Draw(CounterRandom* random, int size, int variant) const {
+  ChainBatch Draw(CounterRandom* random, int size) const {
     std::vector<Chain> chains;
     std::vector<int> variants;
     for (int i = 0; i < size; ++i) {
@@ -26,9 +28,7 @@ class TransformStage : public Stage {
           random->Below(static_cast<std::int64_t>(segments_.size())))];
       chains.push_back(MakeChain(context_, s, DrawStart(context_.segment(s), random),
                                  context_.config.linked_steps, context_.config.repeat_last));
-      variants.push_back(variant >= 0
-                             ? variant
-                             : static_cast<int>(random->Below(context_.config.hidden_variants)));
+      variants.push_back(static_cast<int>(random->Below(context_.config.hidden_variants)));
     }
     return {context_, std::move(chains), std::move(variants)};
   }
@@ -42,6 +42,15 @@ class TransformStage : public Stage {
                                                     at::Reduction::None) *
             batch.Weights(step))
         .mean();
+  }
+
+  /// How far the landmarks read from T's output are from where the goal picture has them.
+  torch::Tensor LandmarkError(const torch::Tensor& h, const ChainBatch& batch, int step) const {
+    LandmarkReadout readout = context_.landmarks;
+    const torch::Tensor maps =
+        LandmarkMaps(context_.samples, batch.GoalSlots(step), batch.Turns(), h.size(2), h.size(3))
+            .to(context_.device);
+    return (LandmarkLoss(readout->forward(h), maps) * batch.Weights(step)).mean();
   }
 
   const TrainContext& context_;
@@ -65,11 +74,12 @@ class TransformHiddenStage : public TransformStage {
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
     CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
-    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards), -1);
+    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards));
     const torch::Tensor h0 = batch.First();
     torch::Tensor h = batch.Start();
     torch::Tensor loss = torch::zeros({}, h.options());
     torch::Tensor done = torch::zeros({}, h.options());
+    torch::Tensor places = torch::zeros({}, h.options());
     LossParts result;
     Networks networks = context_.networks;
     for (int k = 0; k < batch.steps(); ++k) {
@@ -78,10 +88,13 @@ class TransformHiddenStage : public TransformStage {
           ((h - batch.Goal(k)).abs().mean({1, 2, 3}) * batch.Weights(k)).mean();
       result.parts.emplace_back("l1_h" + std::to_string(k + 1), error.item<double>());
       loss = loss + error;
+      if (context_.landmarks) places = places + LandmarkError(h, batch, k);
       if (context_.config.done_weight > 0) done = done + DoneLoss(h0, h, batch, k);
     }
     result.parts.emplace_back("done", done.item<double>());
-    result.loss = loss + context_.config.done_weight * done;
+    result.parts.emplace_back("landmarks", places.item<double>());
+    result.loss =
+        loss + context_.config.done_weight * done + context_.config.landmark_weight * places;
     return result;
   }
 };
@@ -101,32 +114,44 @@ class TransformImageStage : public TransformStage {
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
     CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
-    const int variant = static_cast<int>(random.Below(context_.config.hidden_variants));
-    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards), variant);
+    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards));
     const torch::Tensor h0 = batch.First();
     torch::Tensor h = batch.Start();
+    const torch::Tensor gain = Gain(h0, batch);
     LossParts result;
     result.loss = torch::zeros({}, h.options());
     Networks networks = context_.networks;
     for (int k = 0; k < batch.steps(); ++k) {
       h = networks.transform->forward(h0, h, batch.Actions(k));
-      if (k < 2) AddPictureLoss(h, batch, k, variant, &result);
+      if (k < 2) AddPictureLoss(h, gain, batch, k, &result);
       if (context_.config.done_weight > 0) {
         result.loss = result.loss + context_.config.done_weight * DoneLoss(h0, h, batch, k);
+      }
+      if (context_.landmarks) {
+        result.loss = result.loss + context_.config.landmark_weight * LandmarkError(h, batch, k);
       }
     }
     return result;
   }
 
  private:
-  void AddPictureLoss(const torch::Tensor& h, const ChainBatch& batch, int step, int variant,
-                      LossParts* result) const {
+  /// The light of each chain's first picture.
+  torch::Tensor Gain(const torch::Tensor& h0, const ChainBatch& batch) const {
+    const torch::NoGradGuard no_grad;
+    Decoder decoder = context_.networks.decoder;
+    const torch::Tensor seen = Dihedral(context_.pictures.Get(batch.FirstSlots()), batch.Turns());
+    return LightGain(seen.to(context_.device), decoder->forward(h0));
+  }
+
+  void AddPictureLoss(const torch::Tensor& h, const torch::Tensor& gain, const ChainBatch& batch,
+                      int step, LossParts* result) const {
     Networks networks = context_.networks;
+    const std::vector<int> turns = batch.Turns();
     const torch::Tensor raw = context_.pictures.Get(batch.GoalSlots(step)).to(context_.device);
-    const torch::Tensor goal = Dihedral(raw, variant);
+    const torch::Tensor goal = Dihedral(raw, turns);
     const torch::Tensor focus =
-        Dihedral(PixelWeights(raw, context_.mean_picture, context_.config.focus), variant);
-    const torch::Tensor x = networks.decoder->forward(h);
+        Dihedral(PixelWeights(raw, context_.mean_picture, context_.config.focus), turns);
+    const torch::Tensor x = networks.decoder->forward(h) * gain;
     const torch::Tensor error = (x - goal).abs();
     const torch::Tensor weights = batch.Weights(step);
     result->loss = result->loss + ((error * focus).mean({1, 2, 3}) * weights).mean();

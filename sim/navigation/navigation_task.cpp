@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,8 @@ TaskSpec MakeSpec(const TaskOptions& options, const NavigationParameters& parame
   for (int i = 0; i < count; ++i) {
     spec.actions.push_back({i, "investigate(" + kinds[i].name + ")", "investigate", kinds[i].name});
   }
+  for (const ObjectKind& kind : kinds) spec.landmarks.push_back(kind.name);
+  spec.landmarks.insert(spec.landmarks.end(), {"robot", "robot front"});
   spec.successors.resize(count + 1);
   for (int from = 0; from <= count; ++from) {
     for (int to = 0; to < count; ++to) {
@@ -266,6 +269,24 @@ std::vector<double> NavigationTask::RobotState() const {
   const Pose2 pose = robot_.pose();
   const Twist2 velocity = robot_.velocity();
   return {pose.x, pose.y, pose.yaw, velocity.forward, velocity.turn};
+}
+
+// The picture's upper edge is the site's far y, its centre the site's.
+std::vector<Landmark> NavigationTask::Landmarks() const {
+  const double size = 2 * parameters_.half_view;
+  const auto seen = [size](double x, double y) { return Landmark{0.5 + x / size, 0.5 - y / size}; };
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Landmark> landmarks(spec_.landmarks.size(), {kNowhere, kNowhere});
+  for (const PlacedObject& object : scene_.objects) {
+    landmarks[object.kind] = seen(object.pose.x, object.pose.y);
+  }
+  const Pose2 pose = robot_.pose();
+  const double reach = Husky::Hull().half_x;
+  const std::size_t robot = ObjectCatalogue().size();
+  landmarks[robot] = seen(pose.x, pose.y);
+  landmarks[robot + 1] =
+      seen(pose.x + reach * std::cos(pose.yaw), pose.y + reach * std::sin(pose.yaw));
+  return landmarks;
 }
 
 std::unique_ptr<TaskState> NavigationTask::Save() const {

@@ -34,6 +34,7 @@ class NavigationTask : public Task {
   Image Render(int width, int height) override;
   Progress progress() const override;
   std::vector<double> RobotState() const override;
+  std::vector<Landmark> Landmarks() const override;
   std::unique_ptr<TaskState> Save() const override;
   void Restore(const TaskState& state) override;
   void SetNoiseSeed(std::uint64_t noise_seed) override;

@@ -15,7 +15,7 @@ struct NavigationParameters {
       3.05;  // objects stand within this square (m from the centre, whole footprint)
   double start_range = 2.6;  // the robot's centre starts within this square
   double object_gap = 0.75;  // least distance between the faces of two objects (m)
-  double start_gap = 0.20;   // least distance from the robot's hull to an object at the start (m)
+  double start_gap = 0.05;   // least distance from the robot's hull to an object at the start (m)
 
   // one leg
   double reach = 0.5;              // m from the hull to the object's face that counts as there

@@ -2,12 +2,10 @@
 
 #include <cstdio>
 
-#include "sim/random.h"
+#include "sim/random_plan.h"
 
 namespace prospect::tools {
 namespace {
-
-constexpr std::uint64_t kPlanStream = 0x706c616eULL;
 
 float RewardOf(sim::Outcome outcome) {
   switch (outcome) {
@@ -23,7 +21,8 @@ float RewardOf(sim::Outcome outcome) {
 
 }  // namespace
 
-TrialRecorder::TrialRecorder(const sim::TaskSpec& spec, std::uint64_t seed) {
+TrialRecorder::TrialRecorder(const sim::Task& task, std::uint64_t seed) : task_(task) {
+  const sim::TaskSpec& spec = task.spec();
   trial_.seed = seed;
   trial_.task = spec.name;
   trial_.width = spec.image_width;
@@ -33,10 +32,15 @@ TrialRecorder::TrialRecorder(const sim::TaskSpec& spec, std::uint64_t seed) {
   trial_.plan_length = spec.plan_length;
   trial_.world_version = spec.world_version;
   trial_.task_hash = TaskHashText(spec);
+  trial_.num_landmarks = static_cast<int>(spec.landmarks.size());
 }
 
 void TrialRecorder::OnFrame(const sim::Image& image, const sim::Progress& progress) {
   trial_.images.insert(trial_.images.end(), image.rgb.begin(), image.rgb.end());
+  for (const sim::Landmark& landmark : task_.Landmarks()) {
+    trial_.landmarks.push_back(static_cast<float>(landmark.u));
+    trial_.landmarks.push_back(static_cast<float>(landmark.v));
+  }
   trial_.actions.push_back(progress.action);
   trial_.prev_action.push_back(progress.previous_action);
   trial_.segment.push_back(progress.segment);
@@ -46,26 +50,26 @@ void TrialRecorder::OnFrame(const sim::Image& image, const sim::Progress& progre
   if (progress.action_state == sim::ActionState::kSucceeded) trial_.segment_succeeded.back() = 1;
 }
 
-model::Trial TrialRecorder::Finish(const sim::Task& task, double image_noise) const {
+model::Trial TrialRecorder::Finish(double image_noise) const {
   model::Trial trial = trial_;
-  const sim::Progress progress = task.progress();
+  const sim::Progress progress = task_.progress();
   trial.outcome = sim::ToString(progress.outcome);
   trial.reason = progress.reason;
   trial.image_noise = image_noise;
-  trial.light = task.light();
-  for (bool present : task.PresentActions()) trial.present.push_back(present ? 1 : 0);
+  trial.light = task_.light();
+  for (bool present : task_.PresentActions()) trial.present.push_back(present ? 1 : 0);
   return trial;
 }
 
 model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise) {
   task.Reset(seed);
-  TrialRecorder recorder(task.spec(), seed);
+  TrialRecorder recorder(task, seed);
   recorder.OnFrame(task.Observe(), task.progress());
-  sim::Random random(sim::MixSeeds({seed, kPlanStream}));
+  sim::RandomPlan plan(task.spec(), seed);
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
-    sim::RunAction(task, legal[random.Below(static_cast<int>(legal.size()))], &recorder);
+    sim::RunAction(task, plan.Choose(legal), &recorder);
   }
-  return recorder.Finish(task, image_noise);
+  return recorder.Finish(image_noise);
 }
 
 std::string TaskHashText(const sim::TaskSpec& spec) {

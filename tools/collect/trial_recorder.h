@@ -14,19 +14,21 @@ namespace prospect::tools {
 // tick, labelled with the action of that tick. Images are kept clean. One thread.
 class TrialRecorder : public sim::FrameSink {
  public:
-  TrialRecorder(const sim::TaskSpec& spec, std::uint64_t seed);
+  // `task` must outlive the recorder.
+  TrialRecorder(const sim::Task& task, std::uint64_t seed);
 
   void OnFrame(const sim::Image& image, const sim::Progress& progress) override;
 
-  // The trial so far, with what only the task knows: outcome, objects present, light.
-  model::Trial Finish(const sim::Task& task, double image_noise) const;
+  // The trial so far, with its outcome, the objects present and the light.
+  model::Trial Finish(double image_noise) const;
 
  private:
+  const sim::Task& task_;
   model::Trial trial_;
 };
 
-// Carries out trial `seed` of `task`: random legal plans, each action uniform among the legal ones.
-// The choice of actions has a stream of its own, so it does not depend on the world's noise.
+// Carries out trial `seed` of `task`: a random legal plan (sim/random_plan.h). The choice of actions
+// has a stream of its own, so it does not depend on the world's noise.
 model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise);
 
 // Hexadecimal text of a task's hash, as data sets store it.

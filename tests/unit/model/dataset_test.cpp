@@ -45,6 +45,8 @@ void ExpectSame(const Trial& a, const Trial& b) {
   EXPECT_EQ(a.world_version, b.world_version);
   EXPECT_EQ(a.task_hash, b.task_hash);
   EXPECT_EQ(a.segment_succeeded, b.segment_succeeded);
+  EXPECT_EQ(a.num_landmarks, b.num_landmarks);
+  EXPECT_EQ(a.landmarks, b.landmarks);
 }
 
 TEST_F(DatasetTest, ATrialComesBackAsItWas) {
@@ -58,6 +60,14 @@ TEST_F(DatasetTest, ATrialComesBackAsItWas) {
   ExpectSame(back, trial);
   EXPECT_EQ(back.images, trial.images);
   EXPECT_TRUE(file.ReadLabels(0).images.empty());
+}
+
+TEST_F(DatasetTest, ATrialNeedNotSayWhereThingsAre) {
+  Trial trial = MadeTrial(7);
+  trial.num_landmarks = 0;
+  trial.landmarks.clear();
+  WriteTrialFile(Path("t.h5"), trial);
+  ExpectSame(TrialFile(Path("t.h5")).Read(0), trial);
 }
 
 TEST_F(DatasetTest, ATrialWithoutAnActionIsKept) {

@@ -42,6 +42,11 @@ inline Trial MadeTrial(std::uint64_t seed, int segments = 2, bool fails = false,
       }
     }
   }
+  t.num_landmarks = 1;  // the square's centre
+  for (const int s : t.segment) {
+    t.landmarks.push_back((static_cast<float>((s + 1) % 4) + 0.5F) / 4);
+    t.landmarks.push_back(0.125F);
+  }
   t.segment_succeeded.assign(static_cast<std::size_t>(segments), 1);
   if (fails) t.segment_succeeded.back() = 0;
   return t;

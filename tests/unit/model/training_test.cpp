@@ -67,6 +67,7 @@ TEST_F(TrainingTest, AWholeRunGivesWeightsThatLoadAndIsSkippedTheSecondTime) {
   config.augment = "dihedral";
   config.hidden_variants = 2;
   config.done_weight = 0.1;
+  config.landmark_weight = 1.0;
   Trainer trainer(config, Options("run"));
   trainer.Run();
   RoundToHalf(trainer.context().networks);

@@ -80,7 +80,7 @@ TEST(NavigationRepeats, InAnotherProcess) {
 }
 
 TEST(NavigationRepeats, WhenTwoTasksTakeTurns) {
-  const TaskOptions seven{7, 5, 0.01};
+  const TaskOptions seven{7, 5};
   NavigationTask a(TaskOptions{}), b(seven), alone(TaskOptions{});
   const auto step = [](Task& task) {
     if (task.progress().action_state != ActionState::kRunning && !task.LegalActions().empty()) {
@@ -138,7 +138,7 @@ TEST(NavigationRepeats, AfterRestoreInTheMiddleOfALeg) {
 }
 
 TEST(NavigationRepeats, RefusesStatesOfOtherOptions) {
-  NavigationTask four({4, 3, 0.01}), seven({7, 3, 0.01});
+  NavigationTask four({4, 3}), seven({7, 3});
   EXPECT_THROW(seven.Restore(*four.Save()), std::invalid_argument);
   struct Foreign : TaskState {};
   EXPECT_THROW(four.Restore(Foreign()), std::invalid_argument);

@@ -186,11 +186,46 @@ TEST_F(NavigationTest, NoiseMovesTheEndOfALegALittle) {
   EXPECT_LT(high - low, 0.30);
 }
 
+// The robot's landmark is where its pixels are: the middle of what differs, on the picture's left
+// half, from the same site with the robot on the right.
+TEST_F(NavigationTest, TheRobotsLandmarkIsWhereThePictureShowsIt) {
+  NavigationScene scene = Cross();
+  scene.start = {-1.2, 1.5, 0.7};
+  task_.ResetTo(scene, 1);
+  const Image with = task_.Observe();
+  const Landmark robot = task_.Landmarks()[7];
+  const Landmark front = task_.Landmarks()[8];
+  scene.start = {1.8, -1.5, 0};
+  task_.ResetTo(scene, 1);
+  const Image without = task_.Observe();
+  double sum = 0, u = 0, v = 0;
+  for (int i = 0; i < 64 * 64; ++i) {
+    if (i % 64 >= 32) continue;
+    const int difference = std::abs(with.rgb[3 * i] - without.rgb[3 * i]);
+    sum += difference;
+    u += difference * (i % 64 + 0.5) / 64;
+    v += difference * (i / 64 + 0.5) / 64;
+  }
+  ASSERT_GT(sum, 0);
+  EXPECT_NEAR(u / sum, robot.u, 0.02);
+  EXPECT_NEAR(v / sum, robot.v, 0.02);
+  EXPECT_NEAR(std::atan2(robot.v - front.v, front.u - robot.u), 0.7, 1e-6);
+}
+
+TEST_F(NavigationTest, LandmarksOfObjectsThatAreNotThereAreNowhere) {
+  task_.ResetTo(Cross(), 1);
+  const std::vector<Landmark> landmarks = task_.Landmarks();
+  ASSERT_EQ(landmarks.size(), task_.spec().landmarks.size());
+  EXPECT_DOUBLE_EQ(landmarks[kBarrel].u, 0.5 + 2.5 / 7.68);
+  EXPECT_DOUBLE_EQ(landmarks[kBarricade].v, 0.5 - 2.5 / 7.68);
+  EXPECT_TRUE(std::isnan(landmarks[4].u));
+}
+
 TEST_F(NavigationTest, PresentActionsFollowTheScene) {
   task_.Reset(1);
   EXPECT_EQ(task_.PresentActions(),
             (std::vector<bool>{true, true, true, true, false, false, false}));
-  NavigationTask full({7, 5, 0.01});
+  NavigationTask full({7, 5});
   full.Reset(1);
   EXPECT_EQ(full.PresentActions(), std::vector<bool>(7, true));
 }

@@ -22,8 +22,8 @@ TEST(TaskSpec, NavigationTableIsFrozen) {
 }
 
 TEST(TaskSpec, HashSeesTheTableAndNotTheScene) {
-  TaskSpec spec = MakeTask("navigation", {4, 3, 0.01})->spec();
-  EXPECT_EQ(spec.Hash(), MakeTask("navigation", {7, 5, 0.01})->spec().Hash());
+  TaskSpec spec = MakeTask("navigation", {4, 3})->spec();
+  EXPECT_EQ(spec.Hash(), MakeTask("navigation", {7, 5})->spec().Hash());
   const std::uint64_t hash = spec.Hash();
   spec.actions[1].object = "fence";
   EXPECT_NE(spec.Hash(), hash);
@@ -52,11 +52,11 @@ TEST(TaskFactory, NamesTheTasksItKnows) {
 }
 
 TEST(TaskFactory, RefusesScenesOutOfRange) {
-  EXPECT_THROW(MakeTask("navigation", {3, 3, 0.01}), std::invalid_argument);
-  EXPECT_THROW(MakeTask("navigation", {8, 3, 0.01}), std::invalid_argument);
-  EXPECT_THROW(MakeTask("navigation", {7, 2, 0.01}), std::invalid_argument);
-  EXPECT_THROW(MakeTask("navigation", {7, 6, 0.01}), std::invalid_argument);
-  EXPECT_THROW(MakeTask("navigation", {4, 5, 0.01}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {3, 3}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {8, 3}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {7, 2}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {7, 6}), std::invalid_argument);
+  EXPECT_THROW(MakeTask("navigation", {4, 5}), std::invalid_argument);
 }
 
 }  // namespace
