@@ -169,6 +169,8 @@ class Search {
   int Best(const ChildEntry* entries, int count) const;
   void LetOthersChooseFirst(PathId id, const ChildLists::List& list, const ParentView& parent);
   std::int64_t InFlightOfOthers(PathId id) const;
+  std::int64_t AskedElsewhere(PathId id) const;
+  std::int64_t VisitedElsewhere(PathId id, const PathTotals& totals) const;
   Walked Walk(PathId* at, double* value);
   void BackUp(PathId leaf, double value);
   void GiveUp(PathId leaf);

@@ -143,10 +143,21 @@ void Search::LetOthersChooseFirst(PathId id, const ChildLists::List& list,
 // What their rows say, or what was heard since, whichever is more.
 std::int64_t Search::InFlightOfOthers(PathId id) const {
   if (id == kNoPath) return 0;
-  const std::int64_t told = statistics_.totals(id).in_flight - statistics_.own_in_flight(id);
-  const bool asked =
-      id < static_cast<int>(nodes_.size()) && nodes_[id].pending == Pending::kForeign;
-  return std::max({told, foreign_.At(id), std::int64_t{asked ? 1 : 0}});
+  const PathTotals& totals = statistics_.totals(id);
+  const std::int64_t told = totals.in_flight - statistics_.own_in_flight(id);
+  if (told > 0 || statistics_.live_writers() == 1)
+    return std::max({told, foreign_.At(id), AskedElsewhere(id)});
+  return std::max({foreign_.At(id), AskedElsewhere(id), VisitedElsewhere(id, totals)});
+}
+
+// Whether another worker waits for it.
+std::int64_t Search::AskedElsewhere(PathId id) const {
+  return id < static_cast<int>(nodes_.size()) && nodes_[id].pending == Pending::kForeign ? 1 : 0;
+}
+
+// An evaluation that nobody here asked for is a visit whose row is still on its way.
+std::int64_t Search::VisitedElsewhere(PathId id, const PathTotals& totals) const {
+  return totals.visits == 0 && totals.in_flight == 0 && evaluations_.Has(id) ? 1 : 0;
 }
 
 // Walks on from `*at` as far as evaluations go. kEnded: `*value` is EVALUATE's result for the last

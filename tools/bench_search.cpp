@@ -16,13 +16,14 @@
 
 #include "planner/scripted_model.h"
 #include "planner/search.h"
+#include "tools/bench/cpu_clock.h"
 #include "tools/bench/simulated_arms.h"
 
 namespace {
 
 using nlohmann::json;
 using namespace prospect;
-using Clock = std::chrono::steady_clock;
+using Clock = tools::CpuClock;
 
 struct Options {
   std::string rule = "paper";

@@ -23,7 +23,7 @@ class EventQueue {
   }
   // Moves the clock to the next event and lets it happen.
   void Next() {
-    Event event = events_.top();
+    Event event = std::move(const_cast<Event&>(events_.top()));  // popped at once
     events_.pop();
     now_us_ = event.time_us;
     event.action();

@@ -13,6 +13,7 @@
 #include "planner/scripted_tree.h"
 #include "planner/search.h"
 #include "planner/statistics_codec.h"
+#include "tools/bench/cpu_clock.h"
 #include "tools/bench/event_queue.h"
 
 namespace prospect::tools {
@@ -22,7 +23,7 @@ using planner::Path;
 using planner::ScriptedTree;
 using planner::Search;
 using planner::StatisticsBatch;
-using Clock = std::chrono::steady_clock;
+using Clock = CpuClock;
 
 constexpr std::int64_t kLongestUs = 600'000'000;
 constexpr std::int64_t kFreshUs = 100'000;
@@ -142,10 +143,10 @@ bool SimulatedBus::Finished() const {
 
 // Lets a worker do something that takes processor time, when its thread is free.
 void SimulatedBus::Handle(int index, std::int64_t time_us, std::function<double(Search*)> work) {
-  events_.At(time_us, [this, index, work = std::move(work)] {
+  events_.At(time_us, [this, index, work = std::move(work)]() mutable {
     Worker& worker = workers_[index];
     if (worker.busy_until_us > events_.now_us()) {
-      Handle(index, worker.busy_until_us, work);
+      Handle(index, worker.busy_until_us, std::move(work));
       return;
     }
     const double us = work(worker.search.get());
@@ -160,19 +161,20 @@ void SimulatedBus::Move(int index) {
   Search& search = *worker.search;
   const std::int64_t before = search.rollouts();
   const int more = std::max(0, options_.leaves - search.waiting());
-  const std::vector<Path> asked = search.Advance(more, events_.now_us());
+  const auto asked =
+      std::make_shared<const std::vector<Path>>(search.Advance(more, events_.now_us()));
   const double us = options_.rollout_us * static_cast<double>(search.rollouts() - before + 1);
   worker.busy_us += us;
   worker.busy_until_us += static_cast<std::int64_t>(us);
   if (search.WantsExchange()) SendStatistics(index);
-  if (asked.empty()) return;
-  bus_bytes_ += kMessageBytes + kPathBytes * static_cast<double>(asked.size());
-  events_.At(Later(), [this, index, asked] { Arrive(index, asked); });
+  if (asked->empty()) return;
+  bus_bytes_ += kMessageBytes + kPathBytes * static_cast<double>(asked->size());
+  events_.At(Later(), [this, index, asked] { Arrive(index, *asked); });
   if (Apart()) return;
   for (int other = 0; other < options_.workers; ++other) {
     if (other == index) continue;
     Handle(other, Later(), [this, index, asked](Search* heard) {
-      heard->NoteRequested(asked, events_.now_us(), static_cast<std::uint64_t>(index) + 1);
+      heard->NoteRequested(*asked, events_.now_us(), static_cast<std::uint64_t>(index) + 1);
       return options_.message_us;
     });
   }
