@@ -23,6 +23,7 @@ class Round {
   void Explore() {
     const std::unique_ptr<TaskState> here = task_.Save();
     for (int action : task_.LegalActions()) {
+      if (task_.spec().IsRetry(Last(), action)) continue;
       plan_.push_back(action);
       RunAction(task_, action, nullptr);
       Account();
@@ -43,6 +44,8 @@ class Round {
     }
   }
 
+  int Last() const { return plan_.empty() ? task_.spec().null_action() : plan_.back(); }
+
   int Remaining() const { return task_.spec().plan_length - static_cast<int>(plan_.size()); }
 
   // A failed beginning fails every plan that begins so. What could follow is asked of the table and
@@ -57,6 +60,7 @@ class Round {
     for (int next : task_.spec().successors[plan_.back()]) {
       const bool repeated = std::find(plan_.begin(), plan_.end(), next) != plan_.end();
       if (!present[next] || (repeated && !task_.spec().repeats_allowed)) continue;
+      if (task_.spec().IsRetry(Last(), next)) continue;
       plan_.push_back(next);
       CountFailures(reason, remaining - 1);
       plan_.pop_back();

@@ -10,8 +10,8 @@
 namespace prospect::sim {
 
 // What can be achieved in a scene by someone who may try everything: the yardstick for planners.
-// Every legal plan is run `rounds` times from the saved state, then the best one `best_runs` times
-// with fresh noise.
+// Every legal plan (without retries, TaskSpec::IsRetry) is run `rounds` times from the saved state,
+// then the best one `best_runs` times with fresh noise.
 
 enum class SceneClass {
   kSolvable,  // the best plan succeeded in at least 7 of 10 fresh runs

@@ -12,7 +12,9 @@
 namespace prospect::sim {
 namespace {
 
-constexpr int kLanes = 4;       // rays traced together: a pixel's 2 x 2 samples
+constexpr int kLanes = 4;  // rays traced together: a pixel's 2 x 2 samples
+constexpr float kAlike =
+    16.f / 255;  // difference of corners up to which a pixel needs no samples of its own
 constexpr float kLift = 2e-4f;  // m above a surface from which its shadow is asked for
 constexpr float kFromAbove =
     0.3f;  // share of the even light that comes from above rather than all round
@@ -43,6 +45,14 @@ std::uint8_t ToByte(float value) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(value * 255.f), 0L, 255L));
 }
 
+// Whether a pixel's four corners show nearly one colour; their mean goes to *color.
+bool Agree(const Color above[2], const Color below[2], Color* color) {
+  const Color low = above[0].cwiseMin(above[1]).cwiseMin(below[0]).cwiseMin(below[1]);
+  const Color high = above[0].cwiseMax(above[1]).cwiseMax(below[0]).cwiseMax(below[1]);
+  *color = (above[0] + above[1] + below[0] + below[1]) * 0.25f;
+  return (high - low).maxCoeff() < kAlike;
+}
+
 void CheckSize(int width, int height) {
   if (width < 1 || height < 1 || width > 4096 || height > 4096) {
     throw std::invalid_argument("a picture is 1 to 4096 pixels wide and high");
@@ -51,12 +61,24 @@ void CheckSize(int width, int height) {
 
 }  // namespace
 
+Eigen::Vector2d SeenAt(const CameraDescription& camera, const Eigen::Vector3d& point) {
+  const View view = MakeView(camera, 1, 1);
+  const Eigen::Vector3f way = point.cast<float>() - view.eye;
+  const float ahead = way.dot(view.forward);
+  if (ahead <= 0) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const double x = way.dot(view.right) / (ahead * view.right.squaredNorm());
+  const double y = way.dot(view.up) / (ahead * view.up.squaredNorm());
+  return {0.5 + 0.5 * x, 0.5 - 0.5 * y};
+}
+
 struct SceneCamera::Impl {
-  // A rigid piece and its place in the whole.
+  // A rigid piece: its triangles at rest, and as a geometry of the scene that follows its pose.
   struct Piece {
-    std::unique_ptr<EmbreeBody> body;
-    RTCGeometry instance;
-    Eigen::Matrix3f turn;
+    RTCGeometry geometry;
+    float* placed;                          // Embree's vertices, three numbers each
+    std::vector<Eigen::Vector3f> vertices;  // in the body's frame
+    std::vector<Color> colors;              // by triangle
+    Eigen::Matrix<float, 3, 4> pose;
   };
 
   explicit Impl(const SceneVisuals& visuals);
@@ -65,7 +87,10 @@ struct SceneCamera::Impl {
   void AddPiece(const VisualBody& visual);
   void Pose(const std::vector<Eigen::Isometry3d>& poses);
   void Place(Piece* piece, const Eigen::Isometry3d& pose);
-  Color Pixel(const View& view, int x, int y, int width, int height);
+  void Trace(const View& view, const float u[kLanes], const float v[kLanes],
+             Color colors[kLanes]) const;
+  void Corners(const View& view, int y, int width, int height, std::vector<Color>* corners) const;
+  Color FinePixel(const View& view, int x, int y, int width, int height) const;
   void Shade(const RTCRayHit4& rays, Color colors[kLanes]) const;
   void Shadows(const RTCRayHit4& rays, const Eigen::Vector3f normals[kLanes],
                bool lit[kLanes]) const;
@@ -87,25 +112,49 @@ SceneCamera::Impl::Impl(const SceneVisuals& visuals)
 }
 
 SceneCamera::Impl::~Impl() {
-  for (const Piece& piece : pieces) rtcReleaseGeometry(piece.instance);
+  for (const Piece& piece : pieces) rtcReleaseGeometry(piece.geometry);
   rtcReleaseScene(scene);
 }
 
 void SceneCamera::Impl::AddPiece(const VisualBody& visual) {
   Piece piece;
-  piece.body = std::make_unique<EmbreeBody>(visual);
-  piece.instance = rtcNewGeometry(SharedEmbreeDevice(), RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(piece.instance, piece.body->scene());
+  std::vector<std::uint32_t> corners;
+  for (const VisualPart& part : visual) {
+    const auto first = static_cast<std::uint32_t>(piece.vertices.size());
+    piece.vertices.insert(piece.vertices.end(), part.mesh.vertices.begin(),
+                          part.mesh.vertices.end());
+    for (const auto& triangle : part.mesh.triangles) {
+      for (const std::uint32_t corner : triangle) corners.push_back(first + corner);
+      piece.colors.push_back(part.color);
+    }
+  }
+  piece.geometry = rtcNewGeometry(SharedEmbreeDevice(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryBuildQuality(piece.geometry, RTC_BUILD_QUALITY_REFIT);
+
+  piece.placed = static_cast<float*>(
+      rtcSetNewGeometryBuffer(piece.geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), piece.vertices.size()));
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(piece.geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), piece.colors.size()));
+  std::copy(corners.begin(), corners.end(), indices);
+  piece.pose.setZero();
   Place(&piece, Eigen::Isometry3d::Identity());
-  rtcAttachGeometryByID(scene, piece.instance, static_cast<unsigned>(pieces.size()));
+  rtcAttachGeometryByID(scene, piece.geometry, static_cast<unsigned>(pieces.size()));
   pieces.push_back(std::move(piece));
 }
 
 void SceneCamera::Impl::Place(Piece* piece, const Eigen::Isometry3d& pose) {
-  const Eigen::Matrix<float, 3, 4> columns = pose.matrix().topRows<3>().cast<float>();
-  piece->turn = columns.leftCols<3>();
-  rtcSetGeometryTransform(piece->instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
-  rtcCommitGeometry(piece->instance);
+  const Eigen::Matrix<float, 3, 4> to = pose.matrix().topRows<3>().cast<float>();
+  if (to == piece->pose) return;
+  piece->pose = to;
+  float* out = piece->placed;
+  for (const Eigen::Vector3f& v : piece->vertices) {
+    const Eigen::Vector3f at = to.leftCols<3>() * v + to.col(3);
+    out = std::copy_n(at.data(), 3, out);
+  }
+  rtcUpdateGeometryBuffer(piece->geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+  rtcCommitGeometry(piece->geometry);
 }
 
 void SceneCamera::Impl::Pose(const std::vector<Eigen::Isometry3d>& poses) {
@@ -117,13 +166,13 @@ void SceneCamera::Impl::Pose(const std::vector<Eigen::Isometry3d>& poses) {
   rtcCommitScene(scene);
 }
 
-Color SceneCamera::Impl::Pixel(const View& view, int x, int y, int width, int height) {
+// The colours at kLanes places of the picture (u to the right, v down, 0 to 1).
+void SceneCamera::Impl::Trace(const View& view, const float u[kLanes], const float v[kLanes],
+                              Color colors[kLanes]) const {
   alignas(16) RTCRayHit4 rays = {};
   alignas(16) const int valid[kLanes] = {-1, -1, -1, -1};
   for (int i = 0; i < kLanes; ++i) {
-    const float u = (static_cast<float>(x) + (i % 2 == 0 ? 0.25f : 0.75f)) / width;
-    const float v = (static_cast<float>(y) + (i / 2 == 0 ? 0.25f : 0.75f)) / height;
-    const Eigen::Vector3f direction = Direction(view, u, v);
+    const Eigen::Vector3f direction = Direction(view, u[i], v[i]);
     rays.ray.org_x[i] = view.eye.x();
     rays.ray.org_y[i] = view.eye.y();
     rays.ray.org_z[i] = view.eye.z();
@@ -133,14 +182,37 @@ Color SceneCamera::Impl::Pixel(const View& view, int x, int y, int width, int he
     rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
     rays.ray.mask[i] = ~0u;
     rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect4(valid, scene, &context, &rays);
-  Color colors[kLanes];
   Shade(rays, colors);
+}
+
+// The colours along the upper edges' corners of pixel row `y`: width + 1 of them, and room for what
+// fills the last lanes.
+void SceneCamera::Impl::Corners(const View& view, int y, int width, int height,
+                                std::vector<Color>* corners) const {
+  corners->resize(static_cast<std::size_t>(width) + kLanes);
+  for (int x = 0; x <= width; x += kLanes) {
+    float u[kLanes], v[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      u[i] = static_cast<float>(x + i) / width;
+      v[i] = static_cast<float>(y) / height;
+    }
+    Trace(view, u, v, corners->data() + x);
+  }
+}
+
+Color SceneCamera::Impl::FinePixel(const View& view, int x, int y, int width, int height) const {
+  float u[kLanes], v[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    u[i] = (static_cast<float>(x) + (i % 2 == 0 ? 0.25f : 0.75f)) / width;
+    v[i] = (static_cast<float>(y) + (i / 2 == 0 ? 0.25f : 0.75f)) / height;
+  }
+  Color colors[kLanes];
+  Trace(view, u, v, colors);
   return (colors[0] + colors[1] + colors[2] + colors[3]) * 0.25f;
 }
 
@@ -151,8 +223,8 @@ void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) cons
     lit[i] = false;
     normals[i].setZero();
     if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    const Eigen::Vector3f own(rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]);
-    normals[i] = (pieces[rays.hit.instID[0][i]].turn * own).normalized();
+    normals[i] = {rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]};
+    normals[i].normalize();
     const Eigen::Vector3f ray(rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]);
     if (normals[i].dot(ray) > 0) normals[i] = -normals[i];
     lit[i] = normals[i].dot(lamp) > 0;
@@ -166,7 +238,7 @@ void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) cons
     }
     const float direct = lit[i] ? normals[i].dot(lamp) : 0.f;
     const float around = 1 - kFromAbove + kFromAbove * normals[i].z();
-    colors[i] = pieces[rays.hit.instID[0][i]].body->color(rays.hit.geomID[i]) *
+    colors[i] = pieces[rays.hit.geomID[i]].colors[rays.hit.primID[i]] *
                 (even * around + (1 - even) * direct);
   }
 }
@@ -190,7 +262,7 @@ void SceneCamera::Impl::Shadows(const RTCRayHit4& rays, const Eigen::Vector3f no
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcOccluded4(valid, scene, &context, &shadows);
   for (int i = 0; i < kLanes; ++i) lit[i] = lit[i] && shadows.tfar[i] >= 0;
 }
@@ -210,9 +282,16 @@ Image SceneCamera::Render(const CameraDescription& camera,
   image.height = height;
   image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
   std::uint8_t* pixel = image.rgb.data();
-  for (int y = 0; y < height; ++y) {
+  std::vector<Color> above, below;
+  impl_->Corners(view, 0, width, height, &above);
+  for (int y = 0; y < height; ++y, above.swap(below)) {
+    impl_->Corners(view, y + 1, width, height, &below);
     for (int x = 0; x < width; ++x) {
-      const Color color = impl_->Pixel(view, x, y, width, height) * static_cast<float>(light);
+      Color color;
+      if (!Agree(above.data() + x, below.data() + x, &color)) {
+        color = impl_->FinePixel(view, x, y, width, height);
+      }
+      color *= static_cast<float>(light);
       for (int k = 0; k < 3; ++k) *pixel++ = ToByte(color[k]);
     }
   }
@@ -244,13 +323,13 @@ DepthImage SceneCamera::RenderDepth(const CameraDescription& camera,
                  ~0u,
                  0,
                  0};
-      ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       RTCIntersectContext context;
       rtcInitIntersectContext(&context);
       rtcIntersect1(impl_->scene, &context, &ray);
       const bool hit = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
       image.depth.push_back(ray.ray.tfar);  // the ray's direction has length 1 along the axis
-      image.body.push_back(hit ? static_cast<int>(ray.hit.instID[0]) - 1 : DepthImage::kSky);
+      image.body.push_back(hit ? static_cast<int>(ray.hit.geomID) - 1 : DepthImage::kSky);
     }
   }
   return image;

@@ -31,6 +31,10 @@ struct DepthImage {
   std::vector<int> body;     // index of the moving body, or kStill, or kSky
 };
 
+// Where `point` (world) is in a square picture from `view`: x from the left edge (0) to the right
+// (1), y from the upper edge down. Both NaN behind the camera.
+Eigen::Vector2d SeenAt(const CameraDescription& view, const Eigen::Vector3d& point);
+
 // A pinhole camera that casts rays with Embree: four samples a pixel, Lambert shading under one
 // lamp with hard shadows and an even light from all sides; no GL, no window.
 //

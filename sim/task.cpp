@@ -8,9 +8,16 @@
 namespace prospect::sim {
 
 bool TaskSpec::IsRetry(int action, int next) const {
-  if (retries.empty()) return false;
-  const std::vector<int>& row = retries.at(action);
-  return std::find(row.begin(), row.end(), next) != row.end();
+  return sim::IsRetry(successors, action, next);
+}
+
+bool IsRetry(const std::vector<std::vector<int>>& successors, int action, int next) {
+  const std::vector<int>& first = successors.back();
+  const auto may_come_first = [&first](int one) {
+    return std::find(first.begin(), first.end(), one) != first.end();
+  };
+  const std::vector<int>& row = successors.at(action);
+  return may_come_first(next) && !std::all_of(row.begin(), row.end(), may_come_first);
 }
 
 std::uint64_t TaskSpec::Hash() const {

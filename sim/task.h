@@ -39,9 +39,6 @@ struct TaskSpec {
   // [actions.size() + 1]: which actions may follow each action by the task's graph; the last row is
   // for null_action(), that is the start of a trial. Ascending.
   std::vector<std::vector<int>> successors;
-  // Of these, the ones that go back to try again: [actions.size() + 1] like `successors`, or empty
-  // for a task without such. Whoever enumerates plans leaves them out.
-  std::vector<std::vector<int>> retries;
   bool repeats_allowed = false;  // whether an action may occur twice in a plan
   // Names of the points that Landmarks() gives, in its order; may be none.
   std::vector<std::string> landmarks;
@@ -49,7 +46,7 @@ struct TaskSpec {
   // The label of "no action yet": one past the last action.
   int null_action() const { return static_cast<int>(actions.size()); }
 
-  // Whether `next` after `action` (null_action(): at the start) is one of `retries`.
+  // Whether `next` after `action` (null_action(): at the start) goes back to try again.
   bool IsRetry(int action, int next) const;
 
   // FNV-1a over a canonical text of what two programs must agree on to talk about this task: name,
@@ -60,6 +57,11 @@ struct TaskSpec {
 };
 
 enum class ActionState { kIdle, kRunning, kSucceeded, kFailed, kCancelled };
+
+// Whether `next` after `action` goes back to the beginning although the plan could go on: it may
+// come first, and `action` has successors that may not. `successors` as TaskSpec's. Whoever
+// enumerates plans leaves such steps out.
+bool IsRetry(const std::vector<std::vector<int>>& successors, int action, int next);
 
 // The verdict on the whole trial.
 enum class Outcome { kRunning, kSuccess, kFailure };

@@ -32,6 +32,10 @@ void AddOptions(CLI::App* app, tools::CollectOptions* options, std::string* json
       ->capture_default_str();
   app->add_option("--legs", options->legs, "Objects to investigate in a row: 3 to 5, or mixed")
       ->capture_default_str();
+  app->add_option("--tower", options->tower, "Stacking: blocks in the tower, 2 to 4")
+      ->capture_default_str();
+  app->add_option("--scene-file", options->scene_file,
+                  "Stacking: a file like config/scenes/stacking.yaml");
   app->add_option("--image-noise", options->image_noise,
                   "Sigma of the sensor noise that readers add, a share of full range")
       ->check(CLI::Range(0.0, 0.25))

@@ -1,7 +1,5 @@
 #include "sim/stacking/action_table.h"
 
-#include <algorithm>
-
 namespace prospect::sim {
 namespace {
 
@@ -11,7 +9,7 @@ std::vector<int> AllOf(StackingKind kind, int blocks) {
   return row;
 }
 
-bool IsRetry(StackingKind kind) {
+bool MayTryAgain(StackingKind kind) {
   return kind == StackingKind::kOpen || kind == StackingKind::kBackOff;
 }
 
@@ -54,23 +52,15 @@ std::vector<ActionSpec> StackingActions(const std::vector<std::string>& blocks) 
 }
 
 std::vector<std::vector<int>> StackingSuccessors(int blocks) {
-  std::vector<std::vector<int>> rows = StackingRetries(blocks);
+  std::vector<std::vector<int>> rows;
   for (int action = 0; action < kStackingKinds * blocks; ++action) {
-    const std::vector<int> onward = Onward(StackingActionAt(action, blocks), blocks);
-    rows[action].insert(rows[action].end(), onward.begin(), onward.end());
-    std::sort(rows[action].begin(), rows[action].end());
+    const StackingAction from = StackingActionAt(action, blocks);
+    rows.push_back(MayTryAgain(from.kind) ? AllOf(StackingKind::kAlign, blocks)
+                                          : std::vector<int>{});
+    const std::vector<int> onward = Onward(from, blocks);
+    rows.back().insert(rows.back().end(), onward.begin(), onward.end());
   }
-  rows.back() = AllOf(StackingKind::kAlign, blocks);
-  return rows;
-}
-
-std::vector<std::vector<int>> StackingRetries(int blocks) {
-  std::vector<std::vector<int>> rows(kStackingKinds * blocks + 1);
-  for (int action = 0; action < kStackingKinds * blocks; ++action) {
-    if (IsRetry(StackingActionAt(action, blocks).kind)) {
-      rows[action] = AllOf(StackingKind::kAlign, blocks);
-    }
-  }
+  rows.push_back(AllOf(StackingKind::kAlign, blocks));
   return rows;
 }
 

@@ -47,7 +47,4 @@ std::vector<ActionSpec> StackingActions(const std::vector<std::string>& blocks);
 // TaskSpec::successors for so many blocks.
 std::vector<std::vector<int>> StackingSuccessors(int blocks);
 
-// TaskSpec::retries for so many blocks.
-std::vector<std::vector<int>> StackingRetries(int blocks);
-
 }  // namespace prospect::sim

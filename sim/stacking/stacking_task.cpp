@@ -37,8 +37,9 @@ TaskSpec MakeSpec(const TaskOptions& options, const TabletopDescription& descrip
   const int blocks = static_cast<int>(names.size());
   spec.actions = StackingActions(names);
   spec.successors = StackingSuccessors(blocks);
-  spec.retries = StackingRetries(blocks);
   spec.repeats_allowed = true;
+  spec.landmarks = names;
+  spec.landmarks.insert(spec.landmarks.end(), {"obstacle", "gripper"});
   spec.plan_length = kStackingKinds * (options.tower - 1);
   spec.image_width = 64;
   spec.image_height = 64;
@@ -225,6 +226,18 @@ std::vector<std::string> StackingTask::Cameras() const {
 
 DepthImage StackingTask::ObserveDepth(int width, int height) {
   return camera().RenderDepth(description_.cameras.at("robot"), VisualPoses(), width, height);
+}
+
+std::vector<Landmark> StackingTask::Landmarks() const {
+  const CameraDescription& view = description_.cameras.at("robot");
+  std::vector<Landmark> landmarks;
+  const auto see = [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector2d at = SeenAt(view, point);
+    landmarks.push_back({at.x(), at.y()});
+  };
+  for (int i = 0; i < world_.loose().size(); ++i) see(world_.loose().body(i).frame().translation());
+  see(world_.arm().tool().translation());
+  return landmarks;
 }
 
 std::vector<double> StackingTask::RobotState() const {

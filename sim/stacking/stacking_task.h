@@ -42,6 +42,7 @@ class StackingTask : public Task {
   std::vector<int> LegalActions() const override;
   std::vector<bool> PresentActions() const override;
   double light() const override { return scene_.light; }
+  std::vector<Landmark> Landmarks() const override;
 
   // The picture of one of the scene file's cameras. Throws std::invalid_argument for an unknown one
   // (the message lists them) or a size out of range.

@@ -67,6 +67,7 @@ struct PhysicsDescription {
   double gravity = 9.81;
   double erp = 0.2;
   double cfm = 1e-6;
+  double contact_cfm = 1e-4;  // of contacts' normals
   double surface_layer = 0.0005;
   double correcting_speed = 0.1;
   int contacts = 4;

@@ -173,13 +173,14 @@ GripperDescription ReadGripper(const YamlReader& yaml, const Colors& colors) {
 }
 
 PhysicsDescription ReadPhysics(const YamlReader& yaml) {
-  yaml.Only({"step", "gravity", "erp", "cfm", "surface_layer", "correcting_speed", "contacts",
-             "sleep_after", "sleep_speed", "sleep_turn"});
+  yaml.Only({"step", "gravity", "erp", "cfm", "contact_cfm", "surface_layer", "correcting_speed",
+             "contacts", "sleep_after", "sleep_speed", "sleep_turn"});
   PhysicsDescription physics;
   physics.step = yaml.Number("step", 1e-4, 0.01);
   physics.gravity = yaml.Number("gravity", 0, 30);
   physics.erp = yaml.Number("erp", 0.01, 1);
   physics.cfm = yaml.Number("cfm", 0, 1e-2);
+  physics.contact_cfm = yaml.Number("contact_cfm", 0, 1e-2);
   physics.surface_layer = yaml.Number("surface_layer", 0, 0.01);
   physics.correcting_speed = yaml.Number("correcting_speed", 1e-3, 10);
   physics.contacts = yaml.Integer("contacts", 1, 16);

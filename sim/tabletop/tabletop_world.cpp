@@ -125,7 +125,8 @@ int TabletopWorld::Collide(const CollisionShape& a, const CollisionShape& b) {
   for (int i = 0; i < n; ++i) {
     dContact& contact = contacts[i];
     contact.surface = {};
-    contact.surface.mode = dContactApprox1;
+    contact.surface.mode = dContactApprox1 | dContactSoftCFM;
+    contact.surface.soft_cfm = physics_.contact_cfm;
     contact.surface.mu = std::sqrt(a.friction * b.friction);
     world_.AddContact(a.body, b.body, contact);
   }

@@ -61,6 +61,7 @@ json Manifest(const CollectOptions& options) {
           {"world_version", CheckedWorldVersion(options)},
           {"objects", options.objects},
           {"legs", options.legs},
+          {"tower", options.tower},
           {"image_noise", options.image_noise}};
 }
 
@@ -157,6 +158,8 @@ sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed)
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
   scene.image_noise = options.image_noise;
+  scene.tower = options.tower;
+  scene.scene_file = options.scene_file;
   scene.objects = options.objects != kMixed ? NumberOrRefuse("objects", options.objects)
                                             : (plain ? 4 : any_objects);
   if (options.legs != kMixed) {

@@ -18,6 +18,8 @@ struct CollectOptions {
   std::string out;            // FILE.h5
   std::string objects = "4";  // a number, or "mixed": drawn for each trial
   std::string legs = "3";     // a number, or "mixed"
+  int tower = 2;              // stacking: blocks in the tower, 2 to 4
+  std::string scene_file;     // stacking: empty for the built-in scene
   double image_noise = 0.01;  // stored with the trial; the frames stay clean
   int jobs = 2;               // processes
   bool resume = false;        // go on where an earlier, killed run of the same command stopped

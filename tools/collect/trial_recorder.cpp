@@ -65,7 +65,7 @@ model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image
   task.Reset(seed);
   TrialRecorder recorder(task, seed);
   recorder.OnFrame(task.Observe(), task.progress());
-  sim::RandomPlan plan(task.spec(), seed);
+  sim::RandomPlan plan(task.spec().successors, seed);
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
     sim::RunAction(task, plan.Choose(legal), &recorder);
   }
