@@ -106,16 +106,18 @@ ParentView Search::ViewOf(PathId id, const ChildLists::List& list) const {
 // Fills views_, and finds children that others' rows have added since the list was made.
 void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
   if (static_cast<int>(views_.size()) < count) views_.resize(count), scores_.resize(count);
+  const bool alone = statistics_.live_writers() == 1;
   for (int i = 0; i < count; ++i) {
     ChildEntry& entry = entries[i];
     if (entry.id == kNoPath) entry.id = paths_.Find(id, entry.action);
     ChildView& view = views_[i];
-    view.q = entry.q;
-    view.tie = entry.tie;
-    view.draw = entry.draw;
+    view = {entry.q, 0, 0, 0, 0, entry.tie, entry.draw};
+    if (entry.id == kNoPath) continue;
     const PathTotals& totals = statistics_.totals(entry.id);
+    view.in_flight = alone ? totals.in_flight + AskedElsewhere(entry.id)
+                           : statistics_.own_in_flight(entry.id) + InFlightOfOthers(entry.id);
+    if (totals.visits == 0) continue;
     view.visits = totals.visits;
-    view.in_flight = statistics_.own_in_flight(entry.id) + InFlightOfOthers(entry.id);
     view.mean = totals.mean();
     view.best = totals.best;
   }

@@ -33,8 +33,16 @@ bool TaskRules::Allowed(const Path& executed, const Path& path, int action) cons
 
 std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
   std::vector<int> actions;
-  for (int action = 0; action < num_actions; ++action) {
-    if (Allowed(executed, path, action)) actions.push_back(action);
+  if (Complete(executed, path)) return actions;
+  const Path& latest = path.empty() ? executed : path;
+  actions = successors.at(latest.empty() ? num_actions : latest.back());
+  std::sort(actions.begin(), actions.end());
+  actions.erase(std::unique(actions.begin(), actions.end()), actions.end());
+  const auto taken = [&](int action) {
+    return Contains(executed, action) || Contains(path, action);
+  };
+  if (!repeats_allowed) {
+    actions.erase(std::remove_if(actions.begin(), actions.end(), taken), actions.end());
   }
   return actions;
 }

@@ -39,6 +39,8 @@ void Set(const std::string& key, const std::string& value, BusOptions* options) 
       {"repeat", [&] { o.repeat = std::stod(value); }},
       {"delay", [&] { o.delay_us = Milliseconds(value); }},
       {"jitter", [&] { o.jitter_us = Milliseconds(value); }},
+      {"fixed", [&] { o.fixed_us = Milliseconds(value); }},
+      {"row", [&] { o.row_us = Milliseconds(value); }},
       {"tick", [&] { o.tick_us = Milliseconds(value); }},
   };
   const auto found = setters.find(key);

@@ -17,8 +17,8 @@ struct Arm {
 };
 
 // "workers=8,sharing=merge-at-end,drop=0.3" on top of `defaults`. Keys: workers, leaves, samples,
-// sharing, rule, skip (futures wholly known, 0 or 1), drop, repeat, delay (ms), jitter (ms), tick
-// (ms), c, c_puct. Throws std::invalid_argument naming what is wrong.
+// sharing, rule, skip (futures wholly known, 0 or 1), fixed (ms a batch), row (ms), drop, repeat,
+// delay (ms), jitter (ms), tick (ms), c, c_puct. Throws std::invalid_argument naming what is wrong.
 Arm ParseArm(const std::string& text, const BusOptions& defaults);
 
 // One row for each arm: name, workers, rollouts_per_s, evaluations_per_s, mean_batch, optimal_rate

@@ -269,7 +269,7 @@ void SimulatedBus::EndBatch(std::vector<Path> paths) {
   result_.evaluations += static_cast<std::int64_t>(paths.size());
   ++result_.batches;
   computing_ = false;
-  due_back_ = static_cast<int>(paths.size());
+  due_back_ = static_cast<int>(paths.size() + queue_.size());  // those answered, and those here
   Reply(answers);
   const std::uint64_t wait = waits_;
   events_.At(events_.now_us() + options_.regroup_us, [this, wait] {
