@@ -14,7 +14,7 @@
 #include <string>
 
 #include "sim/oracle_cache.h"
-#include "sim/random.h"
+#include "sim/random_plan.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
@@ -48,6 +48,10 @@ void AddOptions(CLI::App* app, Options* options) {
       ->capture_default_str();
   app->add_option("--legs", options->world.legs, "Objects to investigate in a row, 3 to 5")
       ->capture_default_str();
+  app->add_option("--tower", options->world.tower, "Stacking: blocks in the tower, 2 to 4")
+      ->capture_default_str();
+  app->add_option("--scene-file", options->world.scene_file,
+                  "Stacking: a file like config/scenes/stacking.yaml");
   app->add_option("--jobs", options->jobs, "Processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -72,9 +76,9 @@ double TimesRealTime(sim::Task& task, std::uint64_t seed, sim::FrameSink* sink) 
   double simulated = 0;
   while (static_cast<double>(std::clock() - start) < kLongEnough) {
     task.Reset(seed);
-    sim::Random random(seed++);
+    sim::RandomPlan plan(task.spec().successors, seed++);
     for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
-      sim::RunAction(task, legal[random.Below(static_cast<int>(legal.size()))], sink);
+      sim::RunAction(task, plan.Choose(legal), sink);
     }
     simulated += task.progress().time;
   }
@@ -170,7 +174,7 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
   std::shared_ptr<sim::OracleCache> cache;
   if (!options.fresh) {
     const sim::OracleKey key{options.task, task->spec().world_version, options.world.objects,
-                             options.world.legs};
+                             task->spec().plan_length};
     cache = std::make_shared<sim::OracleCache>(key, options.cache);
   }
   const std::uint64_t seed = options.seed;
