@@ -37,7 +37,8 @@ void CheckEvaluation(const evaluation_t& evaluation, ValueCheck& check) {
 std::string Validate(const expand_reply_t& message) {
   ValueCheck check;
   check.That(InRange<int>(message.status, 0, kMaxStatus), "status: unknown")
-      .That(IsCount(message.retry_ms), "retry_ms: negative");
+      .That(IsCount(message.retry_ms), "retry_ms: negative")
+      .That(std::isfinite(message.wait_ms) && message.wait_ms >= 0, "wait_ms: negative");
   for (const evaluation_t& evaluation : message.evaluations) CheckEvaluation(evaluation, check);
   return check.Result();
 }
@@ -63,6 +64,11 @@ std::string Validate(const model_info_t& message) {
       .That(IsCount(message.evaluations) && IsCount(message.cache_hits), "evaluations: negative");
   for (const std::int64_t bin : message.batch_histogram)
     check.That(IsCount(bin), "batch_histogram: negative");
+  check.That(IsCount(message.batches), "batches: negative")
+      .That(std::isfinite(message.compute_seconds) && message.compute_seconds >= 0,
+            "compute_seconds: negative");
+  for (const auto* histogram : {&message.age_histogram, &message.latency_histogram})
+    for (const std::int64_t bin : *histogram) check.That(IsCount(bin), "histogram: negative");
   return check.Result();
 }
 

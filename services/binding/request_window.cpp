@@ -1,6 +1,7 @@
 #include "services/binding/request_window.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lcmtypes/validate.h"
 #include "services/binding/evaluation_messages.h"
@@ -9,16 +10,22 @@ namespace prospect::services {
 namespace {
 
 // Weight of a new measurement in the smoothed answering time, as in TCP's estimate (RFC 6298).
-constexpr double kSmoothing = 0.125;
+constexpr double kSmoothing = 0.125, kSpreadSmoothing = 0.25, kSpreads = 4;
 constexpr std::size_t kPathsPerRequest = messages::kMaxPathsPerRequest;
 
 }  // namespace
 
-void RequestWindow::Begin(const search_root_t& root) {
+void RequestWindow::Begin(const search_root_t& root, std::int64_t now_ms) {
   search_id_ = root.search_id;
   epoch_ = root.epoch;
   weights_hash_ = root.weights_hash;
+  deadline_ms_ = root.budget_ms < 0 ? -1 : now_ms + root.budget_ms;
   requests_.clear();
+  conduct_.ForgetWaits();
+}
+
+void RequestWindow::Hurry(std::int64_t now_ms) {
+  for (auto& [id, request] : requests_) request.due_ms = now_ms;
 }
 
 bool RequestWindow::Awaits(const planner::Path& path) const {
@@ -33,7 +40,7 @@ void RequestWindow::Ask(const std::vector<planner::Path>& paths, const ServerLis
   std::map<std::int64_t, std::int64_t> open;  // server -> request id
   for (const auto& path : paths) {
     if (Awaits(path)) continue;
-    const std::int64_t server = servers.Choose(path, 0, weights_hash_, now_ms);
+    const std::int64_t server = servers.Choose(path, 0, weights_hash_, now_ms, conduct_);
     auto [entry, fresh] = open.try_emplace(server, next_id_);
     if (!fresh && requests_[entry->second].paths.size() >= kPathsPerRequest) {
       entry->second = next_id_;
@@ -45,22 +52,22 @@ void RequestWindow::Ask(const std::vector<planner::Path>& paths, const ServerLis
 }
 
 std::int64_t RequestWindow::Timeout(int attempt) const {
-  const auto usual = static_cast<std::int64_t>(2 * answer_ms_);
+  const auto usual = static_cast<std::int64_t>(answer_ms_ + kSpreads * spread_ms_);
   const std::int64_t first = std::max(kFirstTimeoutMs, usual);
   return std::min(kLongestTimeoutMs, first << std::min(attempt, 5));
 }
 
 expand_request_t RequestWindow::Message(std::int64_t id, const Request& request,
-                                        std::int64_t server_id) const {
+                                        std::int64_t now_ms) const {
   expand_request_t message{};
   message.client_id = client_id_;
   message.request_id = id;
   message.attempt = request.attempt;
-  message.server_id = server_id;
+  message.server_id = request.server;
   message.search_id = search_id_;
   message.epoch = epoch_;
   message.weights_hash = weights_hash_;
-  message.budget_ms = -1;
+  message.budget_ms = deadline_ms_ < 0 ? -1 : std::max<std::int64_t>(0, deadline_ms_ - now_ms);
   for (const auto& path : request.paths) message.paths.push_back(ToMessage(path));
   message.num_paths = static_cast<std::int32_t>(message.paths.size());
   return message;
@@ -71,10 +78,13 @@ std::vector<expand_request_t> RequestWindow::TakeDue(const ServerList& servers,
   std::vector<expand_request_t> due;
   for (auto& [id, request] : requests_) {
     if (request.due_ms > now_ms) continue;
-    const std::int64_t server =
-        servers.Choose(request.paths.front(), request.attempt, weights_hash_, now_ms);
-    due.push_back(Message(id, request, server));
-    if (request.attempt > 0) ++resent_;
+    if (request.attempt > 0) {
+      ++resent_;
+      conduct_.NoteTimeout(request.server, request.sent_ms);
+    }
+    request.server =
+        servers.Choose(request.paths.front(), request.attempt, weights_hash_, now_ms, conduct_);
+    due.push_back(Message(id, request, now_ms));
     request.sent_ms = now_ms;
     request.due_ms = now_ms + Timeout(request.attempt);
     ++request.attempt;
@@ -97,7 +107,9 @@ void RequestWindow::Forget(const std::vector<evaluation_t>& evaluations, std::in
     // Only a first attempt says how long an answer takes: a later one may be answered by the
     // first's reply (Karn's rule).
     if (it->second.attempt == 1) {
-      answer_ms_ += kSmoothing * (static_cast<double>(now_ms - it->second.sent_ms) - answer_ms_);
+      const double off = static_cast<double>(now_ms - it->second.sent_ms) - answer_ms_;
+      answer_ms_ += kSmoothing * off;
+      spread_ms_ += kSpreadSmoothing * (std::abs(off) - spread_ms_);
     }
     it = requests_.erase(it);
   }
@@ -109,6 +121,7 @@ bool RequestWindow::Concerns(const expand_reply_t& reply) const {
 
 std::vector<planner::Path> RequestWindow::Hear(const expand_reply_t& reply, std::int64_t now_ms) {
   if (!Concerns(reply)) return {};
+  conduct_.NoteReply(reply.server_id, reply.wait_ms, now_ms);
   Forget(reply.evaluations, now_ms);
   if (reply.status == expand_reply_t::STATUS_OK) return {};
   std::vector<planner::Path> refused;

@@ -6,14 +6,16 @@
 
 #include "lcmtypes/messages.h"
 #include "planner/path.h"
+#include "services/binding/server_conduct.h"
 #include "services/binding/server_list.h"
 
 namespace prospect::services {
 
 /// The EXPAND_REQUESTs of one client that await their evaluations. A request that stays unanswered
-/// is sent again after 20, 40, 80, ... ms (never sooner than twice the usual answering time), to
-/// the same server at first and then to the next; servers answer a repeat from memory. A server
-/// that says BUSY is asked again after its hint. Time is an argument (milliseconds of any steady
+/// is sent again after 20, 40, 80, ... ms (never sooner than the usual answering time and four
+/// times its spread), each time to the next server in its rank; servers answer a repeat from
+/// memory, and two evaluations of one path are the same. A server that says BUSY is asked again
+/// after its hint. Time is an argument (milliseconds of any steady
 /// clock). One thread.
 class RequestWindow {
  public:
@@ -23,8 +25,12 @@ class RequestWindow {
   /// @param client_id the writer id of a worker, or any random id
   explicit RequestWindow(std::int64_t client_id) : client_id_(client_id) {}
 
-  /// A new search: forgets what was asked for in the one before.
-  void Begin(const search_root_t& root);
+  /// A new search: forgets what was asked for in the one before. Requests tell what is left of its
+  /// budget.
+  void Begin(const search_root_t& root, std::int64_t now_ms = 0);
+
+  /// Sends everything awaited again at the next TakeDue: a server has come that was not there.
+  void Hurry(std::int64_t now_ms);
 
   /// Asks for these paths, one request for each server concerned. Paths already awaited are not
   /// asked for twice.
@@ -51,9 +57,10 @@ class RequestWindow {
     int attempt = 0;
     std::int64_t sent_ms = 0;
     std::int64_t due_ms = 0;
+    std::int64_t server = 0;  // asked last
   };
 
-  expand_request_t Message(std::int64_t id, const Request& request, std::int64_t server_id) const;
+  expand_request_t Message(std::int64_t id, const Request& request, std::int64_t now_ms) const;
   void Forget(const std::vector<evaluation_t>& evaluations, std::int64_t now_ms);
   bool Concerns(const expand_reply_t& reply) const;
   std::int64_t Timeout(int attempt) const;
@@ -63,7 +70,10 @@ class RequestWindow {
   std::int32_t epoch_ = 0;
   std::int64_t weights_hash_ = 0;
   std::int64_t next_id_ = 1;
-  double answer_ms_ = 10;  // usual answering time, smoothed
+  std::int64_t deadline_ms_ = -1;  // of the search; negative: none
+  double answer_ms_ = 10;          // usual answering time, and how far answers stray from it
+  double spread_ms_ = 0;
+  ServerConduct conduct_;
   std::int64_t resent_ = 0;
   std::map<std::int64_t, Request> requests_;  // by request id
 };

@@ -21,6 +21,13 @@ inline std::int64_t SteadyMs() {
   return duration_cast<milliseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// The same clock in microseconds.
+inline std::int64_t SteadyUs() {
+  using std::chrono::duration_cast;
+  using std::chrono::microseconds;
+  return duration_cast<microseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 /// Says when something periodic is due. Time is passed in, so that tests need no real clock. Missed
 /// periods are not made up for: after a stall the next one is a whole period away. Not thread-safe.
 class Periodic {

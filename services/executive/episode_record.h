@@ -50,6 +50,7 @@ struct SearchRecord {
   std::int64_t evaluations = 0;  // distinct paths evaluated
   std::int64_t requested = 0;    // evaluations that workers asked for, summed over workers
   int workers = 0;
+  std::string table;       // TableHash of all that was known, 16 hexadecimal digits
   bool converged = false;  // every live worker's final rows were heard
   double seconds = 0;
   std::vector<StepRecord> steps;

@@ -42,6 +42,7 @@ json SearchJson(const SearchRecord& search) {
                  {"evaluations_requested", search.requested},
                  {"workers", search.workers},
                  {"converged", search.converged},
+                 {"table", search.table},
                  {"seconds", search.seconds}};
   for (const auto& step : search.steps) result["plan"].push_back(step.name);
   for (const auto& other : search.others) result["others"].push_back(FutureJson(other));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "services/binding/search_table.h"
 #include "services/binding/task_messages.h"
 #include "services/common/ids.h"
 
@@ -20,13 +21,14 @@ constexpr int kMissingAtOnce = 64;
 // Enough for one of each first action to be among them.
 constexpr int kListedFutures = 4096;
 
-std::int64_t SteadyUs() { return SteadyMs() * 1000; }
-
 }  // namespace
 
 SearchSession::SearchSession(Conversation& talk) : talk_(talk), window_(talk.id()) {
   talk_.bus().Subscribe<expand_reply_t>([this](const expand_reply_t& reply) {
     if (!shared_) return;
+    if (first_answer_us_ == 0 && !reply.evaluations.empty() &&
+        shared_->Concerns(reply.search_id, reply.epoch))
+      first_answer_us_ = SteadyUs();
     shared_->Hear(reply);
     window_.Hear(reply, SteadyMs());
   });
@@ -44,8 +46,9 @@ void SearchSession::Begin(const SearchQuestion& question) {
   started_ms_ = SteadyMs();
   shared_ = std::make_unique<SharedSearch>(root_, RulesFromTask(*talk_.view().task()), talk_.id(),
                                            0, started_ms_ * 1000);
-  window_.Begin(root_);
+  window_.Begin(root_, started_ms_);
   ended_by_.clear();
+  first_answer_us_ = over_us_ = 0;
   servers_heard_ms_ = workers_heard_ms_ = progress_ms_ = started_ms_;
   progress_ = 0;
 }
@@ -161,7 +164,10 @@ SearchAnswer SearchSession::Collect(std::int64_t started_ms) const {
     ++answer.workers;
   }
   answer.converged = AllFinal();
+  answer.table = TableHash(search);
   answer.seconds = static_cast<double>(SteadyMs() - started_ms) / 1000;
+  if (first_answer_us_ > 0)
+    answer.searching_seconds = 1e-6 * static_cast<double>(over_us_ - first_answer_us_);
   return answer;
 }
 
@@ -174,6 +180,7 @@ SearchAnswer SearchSession::Search(const SearchQuestion& question) {
     Stop(error.code() == kExitInterrupted ? "interrupted" : "service lost");
     throw;
   }
+  over_us_ = SteadyUs();
   CloseRound(ended_by_ == "deadline" ? "deadline" : "budget");
   FetchMissing();
   return Collect(started_ms_);

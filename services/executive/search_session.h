@@ -32,7 +32,9 @@ struct SearchAnswer {
   std::int64_t requested = 0;    ///< evaluations asked for and answered, summed over workers
   int workers = 0;               ///< writers heard
   bool converged = false;        ///< every live writer's final rows are known
+  std::uint64_t table = 0;       ///< TableHash of what is known: compare with prospect-replay bus
   double seconds = 0;
+  double searching_seconds = 0;  ///< from the first evaluation heard to the budget's end
 };
 
 /// Runs searches over the bus: announces the root, hands out the pictures, listens to rows and
@@ -70,6 +72,7 @@ class SearchSession {
   std::unique_ptr<SharedSearch> shared_;
   std::string ended_by_;
   std::int64_t started_ms_ = 0;
+  std::int64_t first_answer_us_ = 0, over_us_ = 0;  // 0: not yet
   std::int64_t servers_heard_ms_ = 0;
   std::int64_t workers_heard_ms_ = 0;
   std::int64_t progress_ms_ = 0;

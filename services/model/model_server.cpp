@@ -115,6 +115,7 @@ void ModelServer::OnStop(const search_stop_t& stop) {
   if (stopped_searches_.size() >= kRememberedStops) stopped_searches_.clear();
   if (!stopped_searches_.insert(stop.search_id).second) return;
   queue_.Cancel(stop.search_id, stop.epoch + 1);
+  if (const Active* active = Find(stop.search_id, stop.epoch)) PublishInfo(active);
 }
 
 // Empty when the request may wait for its turn.
@@ -142,14 +143,18 @@ void ModelServer::OnExpand(const expand_request_t& request) {
     bus_.CountRefused(ChannelOf<expand_request_t>(), "rules");
     return Refuse(request, expand_reply_t::STATUS_REFUSED, 0, defect);
   }
-  if (!queue_.Put(request, SteadyMs()))
+  const std::int64_t now_us = SteadyUs();
+  timing_.NoteRequest(request.client_id, now_us);
+  if (!queue_.Put(request, now_us))
     Refuse(request, expand_reply_t::STATUS_BUSY, RetryMs(), "queue full");
 }
 
-int ModelServer::RetryMs() const {
-  const double batches = static_cast<double>(queue_.paths()) / options_.batch;
-  return std::clamp(static_cast<int>(batches * statistics_.batch_ms()), 10, 2000);
+double ModelServer::WaitMs() const {
+  const auto batches = static_cast<double>(queue_.paths()) / options_.batch;
+  return batches * statistics_.batch_ms();
 }
+
+int ModelServer::RetryMs() const { return std::clamp(static_cast<int>(WaitMs()), 10, 2000); }
 
 expand_reply_t ModelServer::ReplyHead(const search_root_t& root) const {
   expand_reply_t reply{};
@@ -180,36 +185,37 @@ void ModelServer::Refuse(const expand_request_t& request, std::int8_t status, in
 
 // Paths of the head's search that nobody has evaluated yet, in order of arrival, at most a batch of
 // them; paths known already are hits.
-std::vector<Path> ModelServer::GatherPaths(const RequestQueue::Entry& head, double* queue_age_ms) {
+std::vector<Path> ModelServer::GatherPaths(const RequestQueue::Entry& head,
+                                           std::vector<double>* ages_ms) {
   const Active* active = Find(head.search_id, head.epoch);
   std::vector<Path> paths;
   std::unordered_set<Path, planner::PathHash> seen;
-  double age_sum = 0;
+  const std::int64_t now_us = SteadyUs();
   for (const auto& entry : queue_.entries()) {
     if (entry.search_id != head.search_id || entry.epoch != head.epoch) continue;
     for (const auto& path : entry.paths) {
       if (static_cast<int>(paths.size()) >= options_.batch) break;
       if (active->memory->Knows(path) || !seen.insert(path).second) continue;
       paths.push_back(path);
-      age_sum += static_cast<double>(SteadyMs() - entry.arrived_ms);
+      ages_ms->push_back(1e-3 * static_cast<double>(now_us - entry.arrived_us));
     }
   }
-  *queue_age_ms = paths.empty() ? 0 : age_sum / static_cast<double>(paths.size());
   return paths;
 }
 
 void ModelServer::RunBatch() {
-  queue_.Expire(SteadyMs());
+  queue_.Expire(SteadyUs());
   if (queue_.empty()) return;
   const RequestQueue::Entry head = queue_.entries().front();
   Active* active = Find(head.search_id, head.epoch);
   if (!active) return queue_.Cancel(head.search_id, head.epoch + 1);
-  double queue_age_ms = 0;
-  const auto paths = GatherPaths(head, &queue_age_ms);
+  std::vector<double> ages_ms;
+  const auto paths = GatherPaths(head, &ages_ms);
   const auto begun = std::chrono::steady_clock::now();
   const int rows = active->memory->Compute(paths, options_.batch);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begun;
-  statistics_.NoteBatch(rows, took.count(), queue_age_ms);
+  statistics_.NoteBatch(rows, took.count(), ages_ms);
+  timing_.NoteBatch(rows, 1000 * took.count());
   ReplyTo(*active, paths);
 }
 
@@ -227,6 +233,7 @@ void ModelServer::ReplyTo(Active& active, const std::vector<Path>& computed) {
   };
   for (const auto& path : computed) tell(path);
   std::int64_t hits = 0;
+  const std::int64_t now_us = SteadyUs();
   auto& entries = queue_.entries();
   for (auto entry = entries.begin(); entry != entries.end();) {
     const bool whole = entry->search_id == active.root.search_id &&
@@ -238,6 +245,7 @@ void ModelServer::ReplyTo(Active& active, const std::vector<Path>& computed) {
       continue;
     }
     for (const auto& path : entry->paths) hits += tell(path) ? 1 : 0;
+    statistics_.NoteAnswer(1e-3 * static_cast<double>(now_us - entry->arrived_us));
     reply.client_ids.push_back(entry->client_id);
     reply.request_ids.push_back(entry->request_id);
     entry = entries.erase(entry);
@@ -246,7 +254,9 @@ void ModelServer::ReplyTo(Active& active, const std::vector<Path>& computed) {
   statistics_.NoteHits(hits);
   reply.num_requests = static_cast<std::int32_t>(reply.client_ids.size());
   reply.num_evaluations = static_cast<std::int32_t>(reply.evaluations.size());
+  reply.wait_ms = WaitMs();
   bus_.Publish(reply);
+  timing_.NoteAnswered(reply.client_ids, SteadyUs());
 }
 
 void ModelServer::OnPredict(const predict_request_t& request) {
@@ -328,6 +338,13 @@ void ModelServer::PublishInfo(const Active* active) {
   bus_.Publish(info);
 }
 
+// How long the batch at hand waits for clients that are due back; 0 when it is full.
+std::int64_t ModelServer::BatchWaitUs() {
+  return static_cast<int>(queue_.paths()) >= options_.batch ? 0 : timing_.WaitUs(SteadyUs());
+}
+
+// Work that is there is begun unless clients are due back, for whom a poll waits: it returns with
+// each message, and the question is put anew.
 void ModelServer::Turn() {
   const bool idle = queue_.empty() && predictions_.empty();
   const auto wait =
@@ -335,6 +352,7 @@ void ModelServer::Turn() {
   int polls = 0;
   for (int heard = bus_.Poll(static_cast<int>(wait)); heard > 0 && ++polls < kMostPolls;)
     heard = bus_.Poll(0);
+  while (!queue_.empty() && BatchWaitUs() > 0) bus_.Poll(1);
   if (!queue_.empty()) RunBatch();
   if (queue_.empty()) RunPrediction();
   if (info_due_.Due(SteadyMs())) PublishInfo();

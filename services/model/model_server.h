@@ -14,6 +14,7 @@
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/health.h"
+#include "services/model/batch_timing.h"
 #include "services/model/picture_encoder.h"
 #include "services/model/request_queue.h"
 #include "services/model/search_memory.h"
@@ -28,8 +29,9 @@ struct ModelServerOptions {
 };
 
 /// A model server: encodes the pictures of searches, imagines the paths that workers ask for, and
-/// answers each batch with one EXPAND_REPLY that everybody hears. It never waits for more work:
-/// what has arrived when a batch ends makes the next one. Repeated requests are answered from
+/// answers each batch with one EXPAND_REPLY that everybody hears. What has arrived when a batch
+/// ends makes the next one; it waits for more only while clients just answered are due back
+/// (BatchTiming). Repeated requests are answered from
 /// memory; requests against the rules, for other weights or for a search whose pictures have not
 /// come are refused with the reason. Several servers may stand side by side; each answers what is
 /// addressed to it, or to anybody (server_id 0).
@@ -70,7 +72,10 @@ class ModelServer {
   void Refuse(const expand_request_t& request, std::int8_t status, int retry_ms,
               const std::string& reason);
   void RunBatch();
-  std::vector<planner::Path> GatherPaths(const RequestQueue::Entry& head, double* queue_age_ms);
+  std::vector<planner::Path> GatherPaths(const RequestQueue::Entry& head,
+                                         std::vector<double>* ages_ms);
+  std::int64_t BatchWaitUs();
+  double WaitMs() const;
   void ReplyTo(Active& active, const std::vector<planner::Path>& computed);
   expand_reply_t ReplyHead(const search_root_t& root) const;
   void RunPrediction();
@@ -86,6 +91,7 @@ class ModelServer {
   PictureEncoder encoder_;
   RequestQueue queue_;
   ServingStatistics statistics_;
+  BatchTiming timing_;
   std::optional<task_t> task_;
   std::list<Active> searches_;  // most recently heard first
   std::set<std::int64_t> stopped_searches_;

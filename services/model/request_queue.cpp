@@ -7,16 +7,16 @@
 
 namespace prospect::services {
 
-bool RequestQueue::Put(const expand_request_t& request, std::int64_t now_ms) {
+bool RequestQueue::Put(const expand_request_t& request, std::int64_t now_us) {
   const bool waits = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
     return entry.client_id == request.client_id && entry.request_id == request.request_id;
   });
   if (waits) return true;
   if (paths_ + request.paths.size() > limit_) return false;
-  const std::int64_t expires_ms =
-      request.budget_ms < 0 ? std::numeric_limits<std::int64_t>::max() : now_ms + request.budget_ms;
+  const std::int64_t expires_us = request.budget_ms < 0 ? std::numeric_limits<std::int64_t>::max()
+                                                        : now_us + 1000 * request.budget_ms;
   entries_.push_back({request.client_id, request.request_id, request.search_id, request.epoch,
-                      now_ms, expires_ms, FromMessages(request.paths)});
+                      now_us, expires_us, FromMessages(request.paths)});
   paths_ += request.paths.size();
   return true;
 }
@@ -29,8 +29,8 @@ void RequestQueue::Cancel(std::int64_t search_id, std::int32_t epoch) {
   Recount();
 }
 
-void RequestQueue::Expire(std::int64_t now_ms) {
-  const auto expired = [&](const Entry& entry) { return entry.expires_ms < now_ms; };
+void RequestQueue::Expire(std::int64_t now_us) {
+  const auto expired = [&](const Entry& entry) { return entry.expires_us < now_us; };
   entries_.erase(std::remove_if(entries_.begin(), entries_.end(), expired), entries_.end());
   Recount();
 }

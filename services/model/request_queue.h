@@ -10,7 +10,7 @@
 namespace prospect::services {
 
 /// EXPAND_REQUESTs that wait, oldest first. A repeat of one that waits already is dropped, so that
-/// impatient clients do not fill the queue. One thread; time is an argument (milliseconds of any
+/// impatient clients do not fill the queue. One thread; time is an argument (microseconds of any
 /// steady clock).
 class RequestQueue {
  public:
@@ -19,8 +19,8 @@ class RequestQueue {
     std::int64_t request_id;
     std::int64_t search_id;
     std::int32_t epoch;
-    std::int64_t arrived_ms;
-    std::int64_t expires_ms;  // after that its client no longer wants the answer
+    std::int64_t arrived_us;
+    std::int64_t expires_us;  // after that its client no longer wants the answer
     std::vector<planner::Path> paths;
   };
 
@@ -28,12 +28,12 @@ class RequestQueue {
   explicit RequestQueue(std::size_t limit) : limit_(limit) {}
 
   /// False, with nothing taken, when the queue is full.
-  bool Put(const expand_request_t& request, std::int64_t now_ms);
+  bool Put(const expand_request_t& request, std::int64_t now_us);
 
   /// Forgets the requests of a search (all epochs below `epoch`).
   void Cancel(std::int64_t search_id, std::int32_t epoch);
   /// Forgets what has expired.
-  void Expire(std::int64_t now_ms);
+  void Expire(std::int64_t now_us);
 
   bool empty() const { return entries_.empty(); }
   std::size_t paths() const { return paths_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,12 +12,16 @@ namespace prospect::services {
 /// about the last 20 batches. One thread.
 class ServingStatistics {
  public:
-  explicit ServingStatistics(int largest_batch)
-      : histogram_(static_cast<std::size_t>(largest_batch), 0) {}
+  explicit ServingStatistics(int largest_batch);
 
-  /// A batch of `rows` evaluations that took `batch_ms` after its paths had waited `queue_age_ms`
-  /// on average.
-  void NoteBatch(int rows, double batch_ms, double queue_age_ms);
+  /// Bins of the histograms of times: bin i counts those below 0.125 ms x 2^i, the last the rest.
+  static constexpr std::size_t kTimeBins = 16;
+  static std::size_t TimeBin(double ms);
+
+  /// A batch of `rows` evaluations that took `batch_ms`; how long each of its paths had waited.
+  void NoteBatch(int rows, double batch_ms, const std::vector<double>& ages_ms);
+  /// A request was answered in full, so long after it arrived.
+  void NoteAnswer(double latency_ms) { ++latencies_[TimeBin(latency_ms)]; }
   void NoteHits(std::int64_t paths) { hits_ += paths; }
 
   double batch_ms() const { return batch_ms_; }
@@ -34,6 +39,8 @@ class ServingStatistics {
   std::int64_t evaluations_ = 0;
   std::int64_t hits_ = 0;
   std::int64_t batches_ = 0;
+  double compute_seconds_ = 0;
+  std::vector<std::int64_t> ages_, latencies_;  // histograms by TimeBin
 };
 
 }  // namespace prospect::services

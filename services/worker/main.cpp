@@ -32,6 +32,8 @@ int Run(int argc, char** argv) {
                  "byte budget of one SEARCH_STATISTICS message")
       ->check(CLI::Range(256, 60000))
       ->capture_default_str();
+  app.add_option("--journal", options.journal,
+                 "write all that is heard and chosen to this file, for prospect-replay journal");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

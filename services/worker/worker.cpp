@@ -18,8 +18,6 @@ constexpr std::int64_t kLongestWaitMs = 100;
 constexpr std::size_t kRememberedStops = 256;
 constexpr int kMissingAtOnce = 64;
 
-std::int64_t SteadyUs() { return SteadyMs() * 1000; }
-
 }  // namespace
 
 Worker::Worker(Bus& bus, const WorkerOptions& options)
@@ -29,9 +27,12 @@ Worker::Worker(Bus& bus, const WorkerOptions& options)
       window_(health_.instance_id()),
       statistics_due_(options.statistics_period_ms) {
   if (options_.index < 0) options_.index = health_.instance_id() % 65536;
-  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
-  bus_.Subscribe<model_info_t>(
-      [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
+  if (!options_.journal.empty()) {
+    journal_ = std::make_unique<Journal>(options_.journal, health_.instance_id(),
+                                         static_cast<int>(options_.index));
+  }
+  bus_.Subscribe<task_t>([this](const task_t& task) { OnTask(task); });
+  bus_.Subscribe<model_info_t>([this](const model_info_t& info) { OnInfo(info); });
   bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); });
   bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); });
   bus_.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); });
@@ -39,6 +40,21 @@ Worker::Worker(Bus& bus, const WorkerOptions& options)
   bus_.Subscribe<search_statistics_t>(
       [this](const search_statistics_t& rows) { OnStatistics(rows); });
   health_.SetState(health_t::STATE_READY);
+}
+
+void Worker::OnTask(const task_t& task) {
+  const bool news = !task_ || task_->task_hash != task.task_hash;
+  task_ = task;
+  if (journal_ && news) journal_->Heard(task, SteadyUs());
+}
+
+// A server that has just taken the search up (it was restarted, or came late) may hold what others
+// no longer answer.
+void Worker::OnInfo(const model_info_t& info) {
+  servers_.Hear(info, SteadyMs());
+  if (!shared_ || !shared_->Concerns(info.search_id, info.epoch)) return;
+  const bool came = ready_servers_.insert(info.server_id).second;
+  if (came && ready_servers_.size() > 1) window_.Hurry(SteadyMs());
 }
 
 bool Worker::Wanted(const search_root_t& root, std::int64_t now_ms) const {
@@ -68,7 +84,10 @@ void Worker::Begin(const search_root_t& root, std::int64_t now_ms) {
     stopped_searches_.insert(root.search_id);
     return;
   }
-  window_.Begin(root);
+  if (journal_) journal_->Begun(root, now_ms * 1000);
+  window_.Begin(root, now_ms);
+  subtrees_ = SubtreeCounter();
+  ready_servers_.clear();
   phase_ = Phase::kSearching;
   root_heard_ms_ = now_ms;
   statistics_due_.Hurry();
@@ -86,33 +105,54 @@ void Worker::OnStop(const search_stop_t& stop) {
 void Worker::Close(const char* why) {
   spdlog::debug("search {} ends: {}", shared_->root().search_id, why);
   shared_->search().Stop();
-  window_.Begin(shared_->root());
+  if (journal_) journal_->Stopped(SteadyUs());
+  window_.Begin(shared_->root(), SteadyMs());
   phase_ = Phase::kClosing;
   closing_since_ms_ = SteadyMs();
   statistics_due_.Hurry();
 }
 
 void Worker::OnReply(const expand_reply_t& reply) {
-  if (!shared_) return;
+  if (!shared_ || !shared_->Concerns(reply.search_id, reply.epoch)) return;
+  if (journal_) journal_->Heard(reply, SteadyUs());
   shared_->Hear(reply, &window_);
   for (const auto& path : window_.Hear(reply, SteadyMs())) {
     spdlog::warn("a server refuses {}: {}", planner::ToString(path), reply.reason);
     shared_->search().Abandon(path);
+    if (journal_) journal_->Abandoned(path, SteadyUs());
   }
 }
 
 void Worker::OnRequest(const expand_request_t& request) {
-  if (shared_) shared_->Hear(request, health_.instance_id(), SteadyUs());
+  if (!shared_ || !shared_->Concerns(request.search_id, request.epoch)) return;
+  const std::int64_t now_us = SteadyUs();
+  if (journal_) journal_->Heard(request, now_us);
+  shared_->Hear(request, health_.instance_id(), now_us);
 }
 
 void Worker::OnStatistics(const search_statistics_t& statistics) {
-  if (shared_ && shared_->sharing()) shared_->Hear(statistics, SteadyUs());
+  if (!shared_ || !shared_->sharing()) return;
+  if (!shared_->Concerns(statistics.search_id, statistics.epoch)) return;
+  const std::int64_t now_us = SteadyUs();
+  if (journal_) journal_->Heard(statistics, now_us);
+  shared_->Hear(statistics, now_us);
 }
 
 void Worker::Advance() {
   auto& search = shared_->search();
   const int wanted = std::max(0, shared_->root().leaves - search.waiting());
-  window_.Ask(search.Advance(wanted, SteadyUs()), servers_, SteadyMs());
+  const std::int64_t now_us = SteadyUs();
+  const auto asked = search.Advance(wanted, now_us);
+  if (journal_) journal_->Advanced(wanted, asked, now_us);
+  window_.Ask(asked, servers_, SteadyMs());
+}
+
+// Among several servers, each answers for whole subtrees.
+void Worker::SpreadWork(std::int64_t now_ms) {
+  const auto live = servers_.Live(shared_->root().weights_hash, now_ms).size();
+  if (live < 2) return;
+  const int wanted = ServerList::kSubtreesEach * static_cast<int>(live);
+  servers_.SetPrefixLength(subtrees_.PrefixLength(shared_->search().paths(), wanted));
 }
 
 // Without them this worker might read off another plan than the others.
@@ -134,11 +174,13 @@ bool Worker::StatisticsDue(std::int64_t now_ms) {
 }
 
 void Worker::SendStatistics(std::int64_t now_ms) {
-  auto message = ToMessage(shared_->search().MakeBatch(
-                               static_cast<std::size_t>(options_.statistics_bytes), now_ms * 1000),
-                           kLeaseMs);
+  const std::int64_t now_us = SteadyUs();
+  const auto budget = static_cast<std::size_t>(options_.statistics_bytes);
+  auto message = ToMessage(shared_->search().MakeBatch(budget, now_us), kLeaseMs);
   message.utime = UtimeNow();
+  if (journal_) journal_->Sent(message, options_.statistics_bytes, now_us);
   bus_.Publish(message);
+  SpreadWork(now_ms);
 }
 
 void Worker::CheckAbandoned(std::int64_t now_ms) {

@@ -4,13 +4,16 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "services/binding/request_window.h"
 #include "services/binding/server_list.h"
 #include "services/binding/shared_search.h"
+#include "services/binding/subtree_counter.h"
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/health.h"
+#include "services/worker/journal.h"
 
 namespace prospect::services {
 
@@ -19,6 +22,7 @@ struct WorkerOptions {
       -1;  ///< breaks ties differently in each worker; negative: from the random writer id
   int statistics_period_ms = 40;  ///< how often rows are sent while searching
   int statistics_bytes = 8192;    ///< byte budget of one SEARCH_STATISTICS message
+  std::string journal;            ///< file for all that is heard and chosen; empty: none
 };
 
 /// A planner worker: lends its hands to whatever search SEARCH_ROOT announces, together with all
@@ -41,6 +45,8 @@ class Worker {
  private:
   enum class Phase { kIdle, kSearching, kClosing };
 
+  void OnTask(const task_t& task);
+  void OnInfo(const model_info_t& info);
   void OnRoot(const search_root_t& root);
   void OnStop(const search_stop_t& stop);
   void OnReply(const expand_reply_t& reply);
@@ -51,6 +57,7 @@ class Worker {
   void Begin(const search_root_t& root, std::int64_t now_ms);
   void Close(const char* why);
   void Advance();
+  void SpreadWork(std::int64_t now_ms);
   void AskForMissing(std::int64_t now_ms);
   void SendRequests(std::int64_t now_ms);
   bool StatisticsDue(std::int64_t now_ms);
@@ -65,6 +72,9 @@ class Worker {
   HealthBeacon health_;
   ServerList servers_;
   RequestWindow window_;
+  std::unique_ptr<Journal> journal_;  // null: none is kept
+  SubtreeCounter subtrees_;
+  std::set<std::int64_t> ready_servers_;  // that hold the present search
   std::optional<task_t> task_;
   std::unique_ptr<SharedSearch> shared_;
   Phase phase_ = Phase::kIdle;

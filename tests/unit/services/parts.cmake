@@ -7,7 +7,8 @@ if(TARGET prospect_simulator_lib)
   prospect_test(services_simulator_test SOURCES parts/command_gate_test.cpp parts/scene_test.cpp LIBS prospect_simulator_lib)
 endif()
 if(TARGET prospect_model_server_lib)
-  prospect_test(services_model_test SOURCES parts/request_queue_test.cpp parts/search_memory_test.cpp
+  prospect_test(services_model_test SOURCES parts/batch_timing_test.cpp parts/request_queue_test.cpp parts/scripted_tree_engine_test.cpp
+    parts/search_memory_test.cpp
     LIBS prospect_model_server_lib prospect_engine_scripted)
 endif()
 if(TARGET prospect_executive_lib)

@@ -47,19 +47,19 @@ TEST(RequestQueueTest, CancelTakesOlderEpochsOnly) {
 
 TEST(RequestQueueTest, ExpiredRequestsGo) {
   RequestQueue queue(10);
-  queue.Put(Request(1, {{0}}, 50), 100);
-  queue.Put(Request(2, {{1}}), 100);
-  queue.Expire(150);
+  queue.Put(Request(1, {{0}}, 50), 100'000);
+  queue.Put(Request(2, {{1}}), 100'000);
+  queue.Expire(150'000);
   EXPECT_EQ(queue.paths(), 2u);
-  queue.Expire(151);
+  queue.Expire(150'001);
   EXPECT_EQ(queue.paths(), 1u);
 }
 
 TEST(ServingStatisticsTest, HistogramAndMeans) {
   ServingStatistics statistics(4);
-  statistics.NoteBatch(1, 2.0, 1.0);
-  statistics.NoteBatch(9, 4.0, 3.0);
-  statistics.NoteBatch(0, 100.0, 100.0);
+  statistics.NoteBatch(1, 2.0, {0.1});
+  statistics.NoteBatch(9, 4.0, {0.2, 1000});
+  statistics.NoteBatch(0, 100.0, {});
   statistics.NoteHits(6);
   model_info_t info{};
   statistics.Fill(&info);
@@ -67,6 +67,23 @@ TEST(ServingStatisticsTest, HistogramAndMeans) {
   EXPECT_EQ(info.evaluations, 10);
   EXPECT_EQ(info.cache_hits, 6);
   EXPECT_DOUBLE_EQ(info.batch_ms, 3.0);
+  EXPECT_EQ(info.batches, 2);
+  EXPECT_DOUBLE_EQ(info.compute_seconds, 0.006);
+}
+
+TEST(ServingStatisticsTest, TimesAreCountedByDoublings) {
+  EXPECT_EQ(ServingStatistics::TimeBin(0), 0u);
+  EXPECT_EQ(ServingStatistics::TimeBin(0.125), 1u);
+  EXPECT_EQ(ServingStatistics::TimeBin(0.3), 2u);
+  EXPECT_EQ(ServingStatistics::TimeBin(1e9), ServingStatistics::kTimeBins - 1);
+  ServingStatistics statistics(4);
+  statistics.NoteBatch(2, 1.0, {0.05, 0.3});
+  statistics.NoteAnswer(0.2);
+  model_info_t info{};
+  statistics.Fill(&info);
+  EXPECT_EQ(info.age_histogram.at(0), 1);
+  EXPECT_EQ(info.age_histogram.at(2), 1);
+  EXPECT_EQ(info.latency_histogram.at(1), 1);
 }
 
 }  // namespace

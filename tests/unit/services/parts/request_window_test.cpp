@@ -5,6 +5,7 @@
 #include <set>
 
 #include "services/binding/evaluation_messages.h"
+#include "services/binding/subtree_counter.h"
 
 namespace prospect::services {
 namespace {
@@ -17,6 +18,7 @@ search_root_t Root() {
   root.search_id = 5;
   root.epoch = 1;
   root.weights_hash = kWeights;
+  root.budget_ms = -1;
   return root;
 }
 
@@ -117,6 +119,100 @@ TEST_F(RequestWindowTest, SilentServerIsLeftForTheNext) {
     for (const auto& request : window.TakeDue(servers, now)) asked.insert(request.server_id);
   }
   EXPECT_EQ(asked, (std::set<std::int64_t>{100, 200}));
+}
+
+// A server that dies costs one time-out: what is asked for afterwards goes to the other at once.
+TEST_F(RequestWindowTest, AServerThatTimedOutInSilenceIsNotAskedUntilItIsHeard) {
+  servers.Hear(Info(200), 0);
+  const auto ask = [&](std::uint8_t action, std::int64_t now) {
+    window.Ask({{action}}, servers, now);
+    return window.TakeDue(servers, now).at(0).server_id;
+  };
+  const std::int64_t dead = ask(1, 0);
+  const std::int64_t other = dead == 100 ? 200 : 100;
+  const auto again = window.TakeDue(servers, 20);
+  ASSERT_EQ(again.size(), 1u);
+  EXPECT_EQ(again[0].server_id, other);
+  window.Hear(Answer({{1}}), 21);
+  for (std::uint8_t action = 2; action < 12; ++action) EXPECT_EQ(ask(action, 22), other);
+  auto alive = Answer({});
+  alive.server_id = dead;
+  window.Hear(alive, 23);
+  std::set<std::int64_t> asked;
+  for (std::uint8_t action = 12; action < 40; ++action) asked.insert(ask(action, 24));
+  EXPECT_EQ(asked, (std::set<std::int64_t>{100, 200}));
+}
+
+TEST_F(RequestWindowTest, AServerHeardMeanwhileIsSlowAndNotDead) {
+  servers.Hear(Info(200), 0);
+  window.Ask({{1}}, servers, 0);
+  const std::int64_t first = window.TakeDue(servers, 0).at(0).server_id;
+  auto alive = Answer({});
+  alive.server_id = first;
+  window.Hear(alive, 5);
+  EXPECT_EQ(window.TakeDue(servers, 20).size(), 1u);
+  window.Ask({{1, 2}}, servers, 21);
+  EXPECT_EQ(window.TakeDue(servers, 21).at(0).server_id, first);
+}
+
+TEST_F(RequestWindowTest, WorkSpillsOverWhenPathsWaitLongerThanABatch) {
+  servers.Hear(Info(200), 0);
+  auto busy_info = Info(100);
+  busy_info.batch_ms = 5;
+  servers.Hear(busy_info, 0);
+  ServerConduct conduct;
+  planner::Path path{0};
+  while (servers.Choose(path, 0, kWeights, 0) != 100) ++path[0];
+  conduct.NoteReply(100, 4, 0);
+  EXPECT_EQ(servers.Choose(path, 0, kWeights, 0, conduct), 100);
+  conduct.NoteReply(100, 20, 0);
+  EXPECT_EQ(servers.Choose(path, 0, kWeights, 0, conduct), 200);
+  conduct.NoteReply(200, 18, 0);
+  EXPECT_EQ(servers.Choose(path, 0, kWeights, 0, conduct), 100);
+}
+
+TEST_F(RequestWindowTest, RequestsTellWhatIsLeftOfTheBudget) {
+  auto root = Root();
+  root.budget_ms = 100;
+  window.Begin(root, 1000);
+  window.Ask({{1}}, servers, 1030);
+  EXPECT_EQ(window.TakeDue(servers, 1030).at(0).budget_ms, 70);
+  root.budget_ms = -1;
+  window.Begin(root, 1000);
+  window.Ask({{1}}, servers, 1030);
+  EXPECT_EQ(window.TakeDue(servers, 1030).at(0).budget_ms, -1);
+}
+
+TEST_F(RequestWindowTest, HurrySendsAgainAtOnce) {
+  window.Ask({{1}}, servers, 0);
+  ASSERT_EQ(window.TakeDue(servers, 0).size(), 1u);
+  EXPECT_TRUE(window.TakeDue(servers, 5).empty());
+  window.Hurry(5);
+  EXPECT_EQ(window.TakeDue(servers, 5).size(), 1u);
+}
+
+TEST(SubtreeCounterTest, ThePrefixIsTheShortestThatLeavesEnoughSubtrees) {
+  planner::PathTree paths(7);
+  SubtreeCounter counter;
+  EXPECT_EQ(counter.PrefixLength(paths, 8), 1);
+  for (const auto& path : std::vector<planner::Path>{{0}, {1}, {2}}) paths.Add(path);
+  EXPECT_EQ(counter.PrefixLength(paths, 3), 1);
+  EXPECT_EQ(counter.PrefixLength(paths, 8), 1) << "there are no longer ones yet";
+  for (std::uint8_t a = 0; a < 3; ++a)
+    for (std::uint8_t b = 3; b < 6; ++b) paths.Add({a, b});
+  EXPECT_EQ(counter.PrefixLength(paths, 8), 2);
+}
+
+TEST(ServerListTest, AServerThatGoesMovesOnlyItsOwnPaths) {
+  ServerList three, two;
+  for (std::int64_t id = 1; id <= 3; ++id) three.Hear(Info(id), 0);
+  for (std::int64_t id = 1; id <= 2; ++id) two.Hear(Info(id), 0);
+  for (std::uint8_t first = 0; first < 60; ++first) {
+    const auto before = three.Choose({first}, 0, kWeights, 0);
+    if (before != 3) {
+      EXPECT_EQ(two.Choose({first}, 0, kWeights, 0), before);
+    }
+  }
 }
 
 TEST(ServerListTest, PathsOfOneFirstActionStayTogether) {

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "services/bench/crew.h"
+#include "services/bench/traffic.h"
+#include "services/executive/search_session.h"
+
+namespace prospect::services {
+
+struct SearchBenchOptions {
+  std::vector<int> workers = {1, 2, 4, 8, 16};
+  int servers = 1;
+  std::string weights = "scripted-tree";
+  std::string fixed_cost = "4,0.02";  ///< as prospect-model-server's; "none": as long as it takes
+  int max_batch = 16;
+  int threads = 2;
+  std::vector<std::string> server_arguments;  ///< more of them
+  std::string rule = "paper";
+  std::int64_t samples = 800;  ///< rollouts of all workers, a search
+  int leaves = 1;
+  int seeds = 10;  ///< searches a worker count, each on a tree of its own
+  std::int64_t first_seed = 0;
+  int plan_length = 6;
+  bool sharing = true;
+  bool prune = true;  ///< off: f, V and p cut nothing off, so that any network's tree is full
+};
+
+/// One search as measured.
+struct SearchRun {
+  std::int64_t seed = 0;
+  std::int64_t rollouts = 0;
+  std::int64_t evaluations = 0;  ///< rows that servers computed
+  std::int64_t batches = 0;
+  double seconds = 0;                     ///< from the first answer to the budget's end
+  double batch_seconds = 0;               ///< that servers spent computing
+  double server_cpu = 0, worker_cpu = 0;  ///< processor seconds
+  std::int64_t statistics_bytes = 0, request_bytes = 0, reply_bytes = 0;
+  std::int64_t requests = 0, resent = 0, busy = 0;
+  double latency_p50 = 0, latency_p90 = 0, latency_p99 = 0;  ///< milliseconds
+  double score = 0;
+  double optimum = 0;  ///< of the scripted tree
+  bool optimal = false;
+  bool converged = false;
+};
+
+/// Searches over the bus with the real server and worker programs, for growing numbers of workers,
+/// over the same seeds. One thread; the conversation must outlive it.
+class SearchBench {
+ public:
+  SearchBench(Conversation& talk, const SearchBenchOptions& options, const std::string& logs);
+
+  /// The searches of one worker count, which must not fall from call to call.
+  std::vector<SearchRun> Measure(int workers);
+
+ private:
+  void PrepareTask();
+  void TellTask();
+  SearchQuestion QuestionFor(std::int64_t seed) const;
+  SearchRun MeasureOne(std::int64_t seed);
+  void FillFromServers(const std::vector<model_info_t>& before, SearchRun* run);
+  std::vector<model_info_t> FreshInfos(std::int64_t since_utime);
+
+  Conversation& talk_;
+  SearchBenchOptions options_;
+  Crew crew_;
+  Traffic traffic_;
+  SearchSession session_;
+  task_t task_{};
+  model_info_t model_{};
+};
+
+}  // namespace prospect::services

@@ -1,0 +1,109 @@
+// prospect-replay: rebuilds searches from a log of the bus, and repeats a worker's searches from
+// its journal.
+
+#include <CLI/CLI.hpp>
+#include <cinttypes>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "services/binding/search_table.h"
+#include "services/common/json_file.h"
+#include "services/common/run_main.h"
+#include "services/replay/bus_replay.h"
+#include "services/replay/journal_replay.h"
+
+namespace {
+
+using namespace prospect::services;
+using nlohmann::json;
+
+struct Options {
+  std::string log, tables, journal, json_file;
+};
+
+std::string Hex(std::uint64_t number) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016" PRIx64, number);
+  return text;
+}
+
+void WriteTable(const std::string& folder, const ReplayedSearch& replayed) {
+  std::filesystem::create_directories(folder);
+  const std::string path =
+      folder + "/" + std::to_string(replayed.search->root().search_id) + ".txt";
+  std::ofstream file(path);
+  file << TableText(replayed.search->search());
+  if (!file.flush()) throw ExitError(kExitDisk, "cannot write " + path);
+}
+
+json ReplayBus(const Options& options) {
+  json searches = json::array();
+  for (const auto& replayed : ReplayBusLog(options.log)) {
+    const auto& search = replayed.search->search();
+    const std::int64_t id = replayed.search->root().search_id;
+    const std::string table = Hex(TableHash(search));
+    std::printf("search %" PRId64 ": %" PRId64 " rollouts, %" PRId64 " evaluations, table %s; %s\n",
+                id, search.total_rollouts(), search.known_evaluations(), table.c_str(),
+                Summary(search.BestPlan()).c_str());
+    searches.push_back({{"search_id", id},
+                        {"rollouts", search.total_rollouts()},
+                        {"evaluations", search.known_evaluations()},
+                        {"replies", replayed.replies},
+                        {"statistics", replayed.statistics},
+                        {"table", table}});
+    if (!options.tables.empty()) WriteTable(options.tables, replayed);
+  }
+  if (!options.json_file.empty()) WriteJsonFile(options.json_file, {{"searches", searches}});
+  return searches;
+}
+
+int ReplayWorker(const Options& options) {
+  const JournalReplay replay = ReplayJournal(options.journal);
+  std::printf("%" PRId64 " searches, %" PRId64 " messages heard, %" PRId64
+              " paths selected in %" PRId64 " steps, %" PRId64 " messages of rows: %" PRId64
+              " differences\n",
+              replay.searches, replay.heard, replay.selections, replay.advances, replay.sent,
+              replay.differences);
+  if (!options.json_file.empty()) {
+    WriteJsonFile(options.json_file, {{"searches", replay.searches},
+                                      {"heard", replay.heard},
+                                      {"advances", replay.advances},
+                                      {"selections", replay.selections},
+                                      {"sent", replay.sent},
+                                      {"differences", replay.differences},
+                                      {"table", Hex(replay.table)}});
+  }
+  if (replay.differences == 0) return kExitSuccess;
+  std::fprintf(stderr, "first: %s\n", replay.first_difference.c_str());
+  return kExitTolerance;
+}
+
+int Run(int argc, char** argv) {
+  CLI::App app("Searches again, from what was written down");
+  app.require_subcommand(1);
+  Options options;
+  CLI::App* bus = app.add_subcommand("bus", "rebuild evaluations and rows from a log of the bus");
+  bus->add_option("log", options.log, "what lcm-logger wrote")->required();
+  bus->add_option("--tables", options.tables, "write each search's table into this folder");
+  CLI::App* journal = app.add_subcommand("journal", "repeat a worker's searches step by step");
+  journal->add_option("journal", options.journal, "what prospect-worker --journal wrote")
+      ->required();
+  for (CLI::App* command : {bus, journal})
+    command->add_option("--json", options.json_file, "write the figures to this file, too");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
+  }
+  if (*journal) return ReplayWorker(options);
+  ReplayBus(options);
+  return kExitSuccess;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return RunMain([&] { return Run(argc, argv); });
+}
