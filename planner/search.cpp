@@ -11,7 +11,7 @@ namespace {
 
 // Of SEARCH_STATISTICS, while rollouts go on: what 4 workers at 200 rollouts/s each cost a bus is
 // then 50 kB/s.
-constexpr std::size_t kBytesPerRollout = 60;
+constexpr std::size_t kBytesPerRollout = 54;
 
 TaskRules Checked(TaskRules rules) {
   rules.Validate();
