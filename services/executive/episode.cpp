@@ -42,6 +42,14 @@ std::string InWords(const std::string& cause) {
     return "it ran into the " + cause.substr(collision.size(), cause.size() - collision.size() - 1);
   if (cause == "time") return "it ran out of time";
   if (cause == "left_site") return "it left the site";
+  if (cause.rfind("obstacle(", 0) == 0) {
+    return "its " + cause.substr(9, cause.size() - 10) + " touched the obstacle";
+  }
+  if (cause == "workspace(table)") return "it hit the table";
+  if (cause.rfind("workspace", 0) == 0) return "it left its workspace";
+  if (cause == "unreachable") return "it could not reach there";
+  if (cause == "block_lost") return "a block fell off the table";
+  if (cause == "plan_exhausted") return "no tower stood at the end of the plan";
   return cause;
 }
 
@@ -88,12 +96,13 @@ EpisodeRecord Episode::Run() {
   Prepare();
   if (options_.policy == "search") {
     RunSearchPolicy();
-  } else if (options_.policy == "collect") {
+  } else if (options_.policy == "collect" || options_.policy == "expert") {
     talk_.Until([&] { return talk_.view().label().has_value(); }, 3000);
     if (!talk_.view().label())
       throw ExitError(kExitTimeout, "policy collect needs LABEL, and none was heard");
     RunFixedPlan(CollectPlan(*talk_.view().task(), *talk_.view().label(),
-                             static_cast<std::uint64_t>(options_.seed)));
+                             static_cast<std::uint64_t>(options_.seed),
+                             options_.policy == "collect"));
   } else {
     RunFixedPlan(ParsePlan(options_.policy));
   }
@@ -288,12 +297,24 @@ bool Episode::Act(int action) {
     Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped", InWords(act));
     return false;
   }
-  if (status.outcome == label_t::OUTCOME_SUCCESS ||
-      static_cast<int>(executed_.size()) >= talk_.view().task()->plan_length) {
+  return GoesOn(status);
+}
+
+// After an action that succeeded. A robot that judges no outcome has solved its task when its plan
+// is carried out; one that does is asked.
+bool Episode::GoesOn(const action_status_t& status) {
+  const bool complete = static_cast<int>(executed_.size()) >= talk_.view().task()->plan_length;
+  if (status.outcome == label_t::OUTCOME_FAILURE) {
+    Verdict("failed", InWords(status.reason));
+  } else if (status.outcome == label_t::OUTCOME_SUCCESS ||
+             (complete && status.outcome == label_t::OUTCOME_UNKNOWN)) {
     Verdict("solved", "");
-    return false;
+  } else if (complete && options_.policy == "search") {
+    Verdict("stopped", "the plan was carried out and the task is not complete");
+  } else {
+    return true;
   }
-  return true;
+  return false;
 }
 
 void Episode::PublishPlan(const SearchRecord& record) {

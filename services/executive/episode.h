@@ -35,6 +35,7 @@ class Episode {
   SearchQuestion MakeQuestion() const;
   int LiveWorkers() const;
   bool Act(int action);
+  bool GoesOn(const action_status_t& status);
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
   void PublishPlan(const SearchRecord& record);

@@ -1,26 +1,41 @@
 #include "services/executive/policy.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
 #include "services/binding/task_messages.h"
-#include "sim/random.h"
+#include "sim/random_plan.h"
 
 namespace prospect::services {
 namespace {
 
 constexpr char kPlanPrefix[] = "plan:";
-// The stream of the collector's choices (tools/collect); the test of recorded against collected
-// trials holds the two together.
-constexpr std::uint64_t kPlanStream = 0x706c616eULL;
+constexpr std::size_t kLongestPlan = 64;
 
+bool Contains(const std::vector<int>& list, int action) {
+  return std::find(list.begin(), list.end(), action) != list.end();
+}
+
+// What may come next in a plan of `rules` after `done`, among the actions whose object is there.
 std::vector<int> Legal(const planner::TaskRules& rules, const label_t& label,
-                       const planner::Path& done) {
+                       const std::vector<int>& done) {
   std::vector<int> legal;
-  for (const int action : rules.AllowedActions(done, {})) {
-    if (label.present.at(static_cast<std::size_t>(action)) == 1) legal.push_back(action);
+  for (const int action : rules.successors.at(done.empty() ? rules.num_actions : done.back())) {
+    const bool fresh = rules.repeats_allowed || !Contains(done, action);
+    if (fresh && label.present.at(static_cast<std::size_t>(action)) == 1) legal.push_back(action);
   }
   return legal;
+}
+
+// A plan that took a retry is longer than plan_length: it is over where nothing but a new beginning
+// may follow.
+bool Over(const planner::TaskRules& rules, const std::vector<int>& done) {
+  if (done.size() < static_cast<std::size_t>(rules.plan_length)) return false;
+  const std::vector<int>& first = rules.successors.back();
+  const std::vector<int>& next = rules.successors.at(done.back());
+  return done.size() >= kLongestPlan ||
+         std::all_of(next.begin(), next.end(), [&](int action) { return Contains(first, action); });
 }
 
 }  // namespace
@@ -38,7 +53,7 @@ std::vector<int> ParsePlan(const std::string& policy) {
 }
 
 std::string PolicyDefect(const std::string& policy) {
-  if (policy == "search" || policy == "collect") return "";
+  if (policy == "search" || policy == "collect" || policy == "expert") return "";
   if (policy.rfind(kPlanPrefix, 0) == 0) {
     try {
       ParsePlan(policy);
@@ -47,19 +62,20 @@ std::string PolicyDefect(const std::string& policy) {
       return "'" + policy + "' is no plan: give action indices, as in plan:0,2,1";
     }
   }
-  return "unknown policy '" + policy + "'; known: search, collect, plan:0,2,1";
+  return "unknown policy '" + policy + "'; known: search, collect, expert, plan:0,2,1";
 }
 
-std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed) {
+std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
+                             bool retries) {
   const auto rules = RulesFromTask(task);
-  sim::Random random(sim::MixSeeds({seed, kPlanStream}));
-  planner::Path done;
-  for (auto legal = Legal(rules, label, done); !legal.empty(); legal = Legal(rules, label, done)) {
-    const int action =
-        legal[static_cast<std::size_t>(random.Below(static_cast<int>(legal.size())))];
-    done.push_back(static_cast<std::uint8_t>(action));
+  sim::RandomPlan random(rules.successors, seed, retries);
+  std::vector<int> done;
+  while (!Over(rules, done)) {
+    const std::vector<int> legal = Legal(rules, label, done);
+    if (legal.empty()) break;
+    done.push_back(random.Choose(legal));
   }
-  return {done.begin(), done.end()};
+  return done;
 }
 
 }  // namespace prospect::services

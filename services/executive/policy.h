@@ -8,8 +8,8 @@
 
 namespace prospect::services {
 
-/// Whether `policy` is one of "search", "collect", "plan:A,B,..." (action indices). @return empty
-/// when it is, else what is wrong
+/// Whether `policy` is one of "search", "collect", "expert", "plan:A,B,..." (action indices).
+/// @return empty when it is, else what is wrong
 std::string PolicyDefect(const std::string& policy);
 
 /// The actions of "plan:A,B,...". Throws std::invalid_argument when it is malformed.
@@ -19,6 +19,8 @@ std::vector<int> ParsePlan(const std::string& policy);
 /// is on the site and that the task allows, from a stream that the scene's seed alone decides. So
 /// that an episode recorded from the bus equals a collected one.
 /// @param label of the episode's first picture, for the objects present
-std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed);
+/// @param retries false: never go back to try again (policy "expert")
+std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
+                             bool retries = true);
 
 }  // namespace prospect::services

@@ -16,12 +16,17 @@ void AddOptions(CLI::App& app, SimulatorOptions& options) {
       ->envname("PROSPECT_TASK")
       ->capture_default_str();
   app.add_option("--seed", options.seed, "first scene")->capture_default_str();
-  app.add_option("--objects", options.scene.objects, "objects on the site")
+  app.add_option("--objects", options.scene.objects, "navigation: objects on the site")
       ->check(CLI::Range(4, 7))
       ->capture_default_str();
-  app.add_option("--legs", options.scene.legs, "actions in a complete plan")
+  app.add_option("--legs", options.scene.legs, "navigation: actions in a complete plan")
       ->check(CLI::Range(3, 5))
       ->capture_default_str();
+  app.add_option("--tower", options.scene.tower, "stacking: blocks in the tower")
+      ->check(CLI::Range(2, 4))
+      ->capture_default_str();
+  app.add_option("--scene-file", options.scene.scene_file,
+                 "stacking: a file like config/scenes/stacking.yaml");
   app.add_option("--image-noise", options.scene.image_noise, "sensor noise, share of full range")
       ->check(CLI::Range(0.0, 0.25))
       ->capture_default_str();

@@ -79,8 +79,9 @@ void Scene::MakeTask() {
 void Scene::Reset(std::uint64_t seed, int objects, int legs) {
   sim::TaskOptions wanted = options_;
   if (objects > 0) wanted.objects = objects;
-  if (legs > 0) wanted.legs = legs;
-  if (wanted.objects != options_.objects || wanted.legs != options_.legs) {
+  if (legs > 0) sim::SetPlanLength(task_name_, legs, &wanted);
+  if (wanted.objects != options_.objects || wanted.legs != options_.legs ||
+      wanted.tower != options_.tower) {
     const sim::TaskOptions before = std::exchange(options_, wanted);
     try {
       MakeTask();
