@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <unordered_set>
 
 #include "services/binding/evaluation_messages.h"
@@ -29,6 +30,12 @@ using planner::Path;
 
 std::size_t ReplyBytes(const evaluation_t& evaluation) {
   return 20 + evaluation.path.actions.size() + 5 * evaluation.actions.size();
+}
+
+void Brighten(double factor, std::vector<std::uint8_t>* picture) {
+  for (std::uint8_t& byte : *picture) {
+    byte = static_cast<std::uint8_t>(std::clamp(std::lround(byte * factor), 0L, 255L));
+  }
 }
 
 }  // namespace
@@ -103,6 +110,7 @@ void ModelServer::OnImage(const search_image_t& image) {
     return;
   }
   found->pictures[image.image_id] = encoder_.Encode(image.data);
+  if (image.image_id == found->root.image0_id) found->first_picture = image.data;
   const auto first = found->pictures.find(found->root.image0_id);
   const auto present = found->pictures.find(found->root.image_id);
   if (first == found->pictures.end() || present == found->pictures.end()) return;
@@ -268,6 +276,12 @@ void ModelServer::OnPredict(const predict_request_t& request) {
   if (!waits && predictions_.size() < kMostPredictions) predictions_.push_back(request);
 }
 
+// Found when a picture is first asked for, so that no search waits for it.
+double ModelServer::Light(Active* active) {
+  if (active->light == 0) active->light = engine_.Light(active->first_picture.data());
+  return active->light;
+}
+
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
   predict_reply_t reply{};
   reply.server_id = health_.instance_id();
@@ -286,6 +300,7 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
     const model::Hidden state = active->memory->State(request.path.actions);
     if (request.want_image) {
       reply.data = engine_.Decode({state}).at(0);
+      Brighten(Light(active), &reply.data);
       reply.width = engine_.info().image_width;
       reply.height = engine_.info().image_height;
     }
