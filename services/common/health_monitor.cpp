@@ -36,7 +36,8 @@ HealthMonitor::HealthMonitor(Bus& bus) : bus_(bus) {
 
 bool HealthMonitor::IsForeign(const health_t& health) {
   const std::int64_t own = DeploymentId();
-  return own != 0 && health.deployment_id != own;
+  // Whoever has no deployment joins all: a worker that somebody started on another machine.
+  return own != 0 && health.deployment_id != 0 && health.deployment_id != own;
 }
 
 std::vector<HealthMonitor::Peer> HealthMonitor::Alive(const std::string& service) const {

@@ -1,5 +1,8 @@
 #include "tests/integration/support/deployment.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace prospect::tests {
 
 Process& Deployment::Start(const std::string& program, std::vector<std::string> arguments,
@@ -17,13 +20,24 @@ Process& Deployment::ModelServer(const std::vector<std::string>& more) {
   return Start("prospect-model-server", {"--weights", "scripted:7"}, more);
 }
 
-Process& Deployment::Worker() { return Start("prospect-worker", {}, {}); }
+Process& Deployment::Worker(const std::vector<std::string>& more) {
+  return Start("prospect-worker", {}, more);
+}
 
 Process& Deployment::Executive(const std::vector<std::string>& more, int seed) {
-  return Start("prospect-executive",
-               {"--seed", std::to_string(seed), "--objects", "7", "--legs", "3", "--samples", "150",
-                "--out", folder + "/out"},
-               more);
+  std::vector<std::string> arguments{"--seed", std::to_string(seed), "--out", folder + "/out"};
+  // An option may be given only once, so what a test says takes the place of the usual.
+  const std::pair<const char*, const char*> usual[] = {
+      {"--objects", "7"}, {"--legs", "3"}, {"--samples", "150"}};
+  for (const auto& [option, value] : usual) {
+    if (std::find(more.begin(), more.end(), option) == more.end())
+      arguments.insert(arguments.end(), {option, value});
+  }
+  return Start("prospect-executive", arguments, more);
+}
+
+void Deployment::Forget(const Process& process) {
+  processes_.remove_if([&](const Process& one) { return &one == &process; });
 }
 
 bool Deployment::Up(Witness& witness, int workers, const std::vector<std::string>& simulator) {

@@ -19,9 +19,12 @@ class Deployment {
 
   Process& Simulator(const std::vector<std::string>& more = {});
   Process& ModelServer(const std::vector<std::string>& more = {});
-  Process& Worker();
+  Process& Worker(const std::vector<std::string>& more = {});
   /// An executive for `seed` with results in folder/out.
   Process& Executive(const std::vector<std::string>& more = {}, int seed = 1500000);
+
+  /// Lets go of a process that has ended, so that a long test does not gather them.
+  void Forget(const Process& process);
 
   /// Simulator, model server and `workers` workers, and waits until they are ready. @return whether
   /// they are

@@ -17,6 +17,8 @@ class Process {
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;
 
+  /// Process id; -1 once it has ended and been waited for.
+  int pid() const { return pid_; }
   bool Running();
   /// Waits for the end. @return exit status, 128 + signal when killed, or -1 when it still runs
   /// after `timeout_ms`

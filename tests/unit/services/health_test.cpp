@@ -99,6 +99,18 @@ TEST_F(Health, AnotherDeploymentIsForeign) {
   EXPECT_EQ(monitor.Alive().size(), 2u);
 }
 
+// A worker started by hand, on this machine or another, takes part in whatever deployment it finds.
+TEST_F(Health, WhoeverHasNoDeploymentIsNotForeign) {
+  HealthMonitor monitor(bus_);
+  SetDeploymentId(0);
+  HealthBeacon joining(bus_, "worker");
+  SetDeploymentId(78);
+  joining.PublishNow();
+  ASSERT_TRUE(PollUntil({&bus_}, [&] { return monitor.IsAlive(joining.instance_id()); }));
+  EXPECT_FALSE(monitor.Foreign().has_value());
+  EXPECT_EQ(monitor.Alive("worker").size(), 1u);
+}
+
 TEST_F(Health, ABusInUseIsAnErrorThatNamesTheOther) {
   HealthMonitor monitor(bus_);
   SetDeploymentId(77);
