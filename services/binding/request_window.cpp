@@ -11,6 +11,7 @@ namespace {
 
 // Weight of a new measurement in the smoothed answering time, as in TCP's estimate (RFC 6298).
 constexpr double kSmoothing = 0.125, kSpreadSmoothing = 0.25, kSpreads = 4;
+constexpr int kMostDoublings = 5;
 constexpr std::size_t kPathsPerRequest = messages::kMaxPathsPerRequest;
 
 }  // namespace
@@ -54,7 +55,8 @@ void RequestWindow::Ask(const std::vector<planner::Path>& paths, const ServerLis
 std::int64_t RequestWindow::Timeout(int attempt) const {
   const auto usual = static_cast<std::int64_t>(answer_ms_ + kSpreads * spread_ms_);
   const std::int64_t first = std::max(kFirstTimeoutMs, usual);
-  return std::min(kLongestTimeoutMs, first << std::min(attempt, 5));
+  return std::min(kLongestTimeoutMs,
+                  first << std::min(std::max(attempt, backoff_), kMostDoublings));
 }
 
 expand_request_t RequestWindow::Message(std::int64_t id, const Request& request,
@@ -80,6 +82,7 @@ std::vector<expand_request_t> RequestWindow::TakeDue(const ServerList& servers,
     if (request.due_ms > now_ms) continue;
     if (request.attempt > 0) {
       ++resent_;
+      backoff_ = std::max(backoff_, std::min(request.attempt, kMostDoublings));
       conduct_.NoteTimeout(request.server, request.sent_ms);
     }
     request.server =
@@ -108,6 +111,7 @@ void RequestWindow::Forget(const std::vector<evaluation_t>& evaluations, std::in
     // first's reply (Karn's rule).
     if (it->second.attempt == 1) {
       const double off = static_cast<double>(now_ms - it->second.sent_ms) - answer_ms_;
+      backoff_ = 0;
       answer_ms_ += kSmoothing * off;
       spread_ms_ += kSpreadSmoothing * (std::abs(off) - spread_ms_);
     }

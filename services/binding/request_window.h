@@ -13,10 +13,11 @@ namespace prospect::services {
 
 /// The EXPAND_REQUESTs of one client that await their evaluations. A request that stays unanswered
 /// is sent again after 20, 40, 80, ... ms (never sooner than the usual answering time and four
-/// times its spread), each time to the next server in its rank; servers answer a repeat from
-/// memory, and two evaluations of one path are the same. A server that says BUSY is asked again
-/// after its hint. Time is an argument (milliseconds of any steady
-/// clock). One thread.
+/// times its spread; after a time-out new requests wait as long as the resent one, until one is
+/// answered at the first attempt: RFC 6298, 5.5 to 5.7), each time to the next server in its rank;
+/// servers answer a repeat from memory, and two evaluations of one path are the same. A server that
+/// says BUSY is asked again after its hint. Time is an argument (milliseconds of any steady clock).
+/// One thread.
 class RequestWindow {
  public:
   static constexpr std::int64_t kFirstTimeoutMs = 20;
@@ -73,6 +74,7 @@ class RequestWindow {
   std::int64_t deadline_ms_ = -1;  // of the search; negative: none
   double answer_ms_ = 10;          // usual answering time, and how far answers stray from it
   double spread_ms_ = 0;
+  int backoff_ = 0;  // doublings that new requests begin with
   ServerConduct conduct_;
   std::int64_t resent_ = 0;
   std::map<std::int64_t, Request> requests_;  // by request id

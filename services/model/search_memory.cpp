@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 
 #include "services/binding/evaluation_messages.h"
@@ -66,28 +66,37 @@ void SearchMemory::Store(const Path& path, model::Prediction prediction) {
     Keep(path, std::make_shared<const model::Hidden>(std::move(prediction.h)));
 }
 
-// Prefixes of `paths` that must be computed, shortest first: those without a state where a longer
-// one needs it, and the paths themselves where they have no evaluation (or, with `states_too`, no
-// state).
-std::vector<SearchMemory::PathSet> SearchMemory::MissingByLength(const std::vector<Path>& paths,
-                                                                 bool states_too) {
-  std::vector<PathSet> missing;
-  std::unordered_set<Path, planner::PathHash> seen;
-  const auto add = [&](const Path& path) {
-    if (!seen.insert(path).second) return false;
-    if (missing.size() <= path.size()) missing.resize(path.size() + 1);
-    missing[path.size()].push_back(path);
-    return true;
+// Paths that must be computed for `paths`, in waves: a wave needs no state but those held and those
+// of the waves before it. Paths of any length whose parents' states are held share the first wave,
+// and so a batch. Missing are the paths themselves where they have no evaluation (or, with
+// `states_too`, no state), and prefixes without a state where a longer path needs it.
+std::vector<SearchMemory::PathSet> SearchMemory::MissingInWaves(const std::vector<Path>& paths,
+                                                                bool states_too) {
+  std::vector<PathSet> waves;
+  std::unordered_map<Path, std::size_t, planner::PathHash> wave_of;
+  const auto add = [&](const Path& path, std::size_t wave) {
+    if (waves.size() <= wave) waves.resize(wave + 1);
+    waves[wave].push_back(path);
+    wave_of[path] = wave;
   };
   for (const Path& path : paths) {
     const bool done = Knows(path) && (!states_too || path.empty() || Find(path));
-    if (done || !add(path)) continue;
-    for (Path prefix = path; prefix.size() > 1;) {
-      prefix.pop_back();
-      if (Find(prefix) || !add(prefix)) break;
+    if (done || wave_of.count(path)) continue;
+    // Back to the nearest prefix whose state is there or will be, then forth again.
+    std::size_t length = path.size();
+    std::size_t wave = 0;
+    while (length > 1) {
+      const Path parent(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(length) - 1);
+      const auto coming = wave_of.find(parent);
+      if (coming != wave_of.end()) wave = coming->second + 1;
+      if (coming != wave_of.end() || Find(parent)) break;
+      --length;
     }
+    for (; length < path.size(); ++length, ++wave)
+      add(Path(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(length)), wave);
+    add(path, wave);
   }
-  return missing;
+  return waves;
 }
 
 void SearchMemory::ComputeRoot() {
@@ -110,14 +119,15 @@ int SearchMemory::ComputeMissing(const std::vector<Path>& paths, bool states_too
   if (!ready()) throw std::logic_error("the root's pictures have not been encoded yet");
   int rows = 0;
   const auto step = static_cast<std::size_t>(std::max(1, batch));
-  for (const PathSet& level : MissingByLength(paths, states_too)) {
-    rows += static_cast<int>(level.size());
-    if (!level.empty() && level.front().empty()) {
+  for (PathSet& wave : MissingInWaves(paths, states_too)) {
+    rows += static_cast<int>(wave.size());
+    const auto root = std::find(wave.begin(), wave.end(), Path());
+    if (root != wave.end()) {
       ComputeRoot();
-      continue;
+      wave.erase(root);
     }
-    for (std::size_t i = 0; i < level.size(); i += step)
-      ComputeRows(level, i, std::min(level.size(), i + step));
+    for (std::size_t i = 0; i < wave.size(); i += step)
+      ComputeRows(wave, i, std::min(wave.size(), i + step));
   }
   return rows;
 }

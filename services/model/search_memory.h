@@ -61,7 +61,7 @@ class SearchMemory {
   void Keep(const planner::Path& path, SharedHidden hidden);
   void Evict();
   void Store(const planner::Path& path, model::Prediction prediction);
-  std::vector<PathSet> MissingByLength(const std::vector<planner::Path>& paths, bool states_too);
+  std::vector<PathSet> MissingInWaves(const std::vector<planner::Path>& paths, bool states_too);
   int ComputeMissing(const std::vector<planner::Path>& paths, bool states_too, int batch);
   void ComputeRows(const PathSet& paths, std::size_t begin, std::size_t end);
   void ComputeRoot();

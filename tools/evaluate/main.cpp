@@ -56,6 +56,10 @@ void AddOptions(CLI::App* app, Options* o) {
       ->capture_default_str();
   app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
   app->add_option("--samples", o->search.samples, "Rollouts a search")->capture_default_str();
+  app->add_option("--workers", o->search.workers,
+                  "Workers that share each search, inside this process (the rollouts are of all)")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   app->add_option("--depth", o->search.depth, "Actions to look ahead; the plan's rest limits it")
       ->check(CLI::Range(1, 32))
       ->capture_default_str();

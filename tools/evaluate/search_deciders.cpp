@@ -5,6 +5,7 @@
 #include "planner/baseline_plans.h"
 #include "planner/model_source.h"
 #include "planner/search.h"
+#include "tools/evaluate/crew_search.h"
 #include "tools/evaluate/engine_model.h"
 #include "tools/evaluate/simulator_model.h"
 
@@ -28,8 +29,19 @@ Decision FromPlan(const planner::Plan& plan) {
   return decision;
 }
 
+Decision SearchTogether(const planner::TaskRules& rules,
+                        const planner::SearchParameters& parameters, const planner::Path& executed,
+                        planner::ModelSource* model) {
+  const CrewResult result = SearchWithCrew(rules, parameters, executed, model);
+  Decision decision = FromPlan(result.plan);
+  decision.rollouts = result.rollouts;
+  decision.evaluations = result.evaluations;
+  return decision;
+}
+
 Decision SearchWith(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
                     const planner::Path& executed, planner::ModelSource* model) {
+  if (parameters.workers > 1) return SearchTogether(rules, parameters, executed, model);
   planner::Search search(rules, parameters, executed, planner::SearchIdentity{});
   planner::RunSearch(&search, model, 1);
   Decision decision = FromPlan(search.BestPlan());

@@ -16,3 +16,6 @@ if(TARGET prospect_executive_lib)
   prospect_test(services_executive_test SOURCES parts/policy_test.cpp parts/report_test.cpp
     LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
 endif()
+if(TARGET prospect_replay_lib)
+  prospect_test(services_replay_test SOURCES parts/journal_test.cpp LIBS prospect_replay_lib)
+endif()

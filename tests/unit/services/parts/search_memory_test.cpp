@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/engine_decorator.h"
 #include "model/scripted_engine.h"
 #include "services/model/picture_encoder.h"
 
@@ -53,6 +54,36 @@ TEST_F(SearchMemoryTest, AnswersDoNotDependOnWhatIsKept) {
     EXPECT_EQ(large->State(path), tiny->State(path)) << planner::ToString(path);
   }
   EXPECT_EQ(tiny->hidden_bytes(), 0u);
+}
+
+// Counts the calls of Expand: each costs an engine its fixed part.
+class CallCounter : public model::EngineDecorator {
+ public:
+  explicit CallCounter(std::vector<std::size_t>* calls)
+      : EngineDecorator(std::make_unique<model::ScriptedEngine>(AllOffered())), calls_(calls) {}
+  std::vector<model::Prediction> Expand(const std::vector<model::ExpandInput>& rows) override {
+    calls_->push_back(rows.size());
+    return EngineDecorator::Expand(rows);
+  }
+
+ private:
+  std::vector<std::size_t>* calls_;
+};
+
+TEST_F(SearchMemoryTest, PathsOfAllLengthsShareABatch) {
+  std::vector<std::size_t> calls;
+  CallCounter counter(&calls);
+  SearchMemory memory(counter, planner::AnyOrder(7, 4), {}, 1 << 20);
+  const std::vector<std::uint8_t> picture(64 * 64 * 3, 9);
+  memory.SetRoot(counter.Encode(picture.data()), counter.Encode(picture.data()));
+  memory.Compute({{1, 2, 3}}, 16);
+  EXPECT_EQ(calls, (std::vector<std::size_t>{1, 1, 1}));
+  calls.clear();
+  EXPECT_EQ(memory.Compute({{0}, {1, 0}, {1, 2, 0}, {1, 2, 3, 0}, {}}, 16), 5);
+  EXPECT_EQ(calls, (std::vector<std::size_t>{4}));
+  calls.clear();
+  EXPECT_EQ(memory.Compute({{4, 5}, {4}, {4, 6}}, 16), 3);
+  EXPECT_EQ(calls, (std::vector<std::size_t>{1, 2}));
 }
 
 TEST_F(SearchMemoryTest, OnlyAllowedActionsAreTold) {
