@@ -48,5 +48,30 @@ TEST(PolicyTest, CollectPlanIsLegalPresentAndDecidedByTheSeed) {
   EXPECT_GT(plans.size(), 10u);
 }
 
+// A task of three steps whose second may be followed by a new beginning: 0 or 1, then 2, then 3.
+TEST(PolicyTest, ExpertNeverTriesAgainAndCollectSometimes) {
+  task_t task = FreeTask(4, 3);
+  task.repeats_allowed = 1;
+  task.initial = {0, 1};
+  task.num_initial = 2;
+  const std::vector<std::vector<int>> successors = {{2}, {2}, {0, 1, 3}, {0, 1}};
+  for (std::size_t i = 0; i < successors.size(); ++i) {
+    task.actions[i].successors.assign(successors[i].begin(), successors[i].end());
+    task.actions[i].num_successors = static_cast<std::int32_t>(successors[i].size());
+  }
+  label_t label{};
+  label.present = {1, 1, 1, 1};
+  label.num_present = 4;
+  int longer = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    EXPECT_EQ(CollectPlan(task, label, seed, false).size(), 3u);
+    const auto plan = CollectPlan(task, label, seed);
+    EXPECT_EQ(plan.back(), 3);
+    longer += plan.size() == 5;
+  }
+  EXPECT_GT(longer, 5);
+  EXPECT_LT(longer, 60);
+}
+
 }  // namespace
 }  // namespace prospect::services

@@ -82,5 +82,24 @@ TEST(SceneTest, OptionsOutOfRangeLeaveTheSceneAlone) {
   EXPECT_EQ(TaskHash(scene.task()), scene.task().task_hash);
 }
 
+// Stacking needs no message of its own: plan length is what tells its towers apart.
+TEST(SceneTest, StackingSpeaksTheSameMessages) {
+  Scene scene("stacking", {}, kSeed);
+  EXPECT_EQ(scene.task().num_actions, 36);
+  EXPECT_EQ(scene.task().plan_length, 9);
+  EXPECT_EQ(scene.task().repeats_allowed, 1);
+  EXPECT_EQ(scene.observation().width, 64);
+  for (const int action : {-1, 4, 35, 36}) EXPECT_NE(scene.Start(action), "") << action;
+  EXPECT_EQ(scene.frame(), 0);
+  ASSERT_EQ(scene.Start(2), "");
+  scene.Tick();
+  EXPECT_EQ(scene.label().action, 2);
+  scene.Reset(kSeed, 0, 18);
+  EXPECT_EQ(scene.task().plan_length, 18);
+  EXPECT_THROW(scene.Reset(kSeed, 0, 10), std::invalid_argument);
+  EXPECT_EQ(scene.task().plan_length, 18) << "a refused reset leaves the scene as it was";
+  ASSERT_EQ(scene.Start(2), "");
+}
+
 }  // namespace
 }  // namespace prospect::services
