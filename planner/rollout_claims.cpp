@@ -55,7 +55,8 @@ void RolloutClaims::Renew(std::int64_t begun, const std::vector<WriterView>& pee
   if (all.lagging > 0 && now_us - renewed_us_ < kPatienceUs) return;
   const std::int64_t workers = all.at_work + 1;
   std::int64_t left = samples_ - all.claimed - begun;
-  left -= all.lagging * PartOf(left, workers);
+  // Set aside for those not heard, but not all: somebody must do the last ones.
+  left = std::max(std::min<std::int64_t>(left, 1), left - all.lagging * PartOf(left, workers));
   const std::int64_t part = std::min(PartOf(left, workers), std::max(kFirstClaim, begun));
   const std::int64_t claim = std::max(claimed_, begun + part);
   const std::int64_t round = all.at_work > 0 ? all.lowest_round + 1 : round_ + 1;

@@ -12,11 +12,11 @@
 // Polychronopoulos and Kuck 1987).
 //
 // A first claim is small, and a renewed one at most doubles what the worker has begun, so that
-// workers that start at the same time find each other before much is given away. A peer not heard
-// for kPatienceUs after a renewal does not hold the others up: they renew without it, and set aside
-// as much for it as for themselves. A peer whose lease ended or that has finished counts with what
-// it completed. What remains is what joins or is split off unheard: in practice the samples are
-// overshot by at most kFirstClaim a worker, up to 30 % loss
+// workers that start at the same time find each other before much is given away. A peer not
+// heard for kPatienceUs after a renewal does not hold the others up: they renew without it, and set
+// aside as much for it as for themselves. A peer whose lease ended or that has finished counts with
+// what it completed. What remains is what joins or is split off unheard: in practice the samples
+// are overshot by at most kFirstClaim a worker, up to 30 % loss
 // (tests/unit/planner/rollout_claims_test).
 //
 // Plain value; not thread safe; time is an argument, on any steady clock in microseconds.

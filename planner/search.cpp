@@ -13,6 +13,9 @@ namespace {
 // then 50 kB/s.
 constexpr std::size_t kBytesPerRollout = 54;
 
+// A worker that waits for the others' claims repeats its own this often: one of them was lost.
+constexpr std::int64_t kRepeatUs = 20'000;
+
 TaskRules Checked(TaskRules rules) {
   rules.Validate();
   return rules;
@@ -219,8 +222,10 @@ bool Search::MayClaim(std::int64_t now_us) {
   if (parameters_.sharing != Sharing::kFull || claims_.Covers(OwnBegun())) return true;
   const bool news = claims_.news();
   claims_.Renew(OwnBegun(), statistics_.others(), now_us);
-  if (!news && claims_.news()) hurried_ = true;
-  return claims_.Covers(OwnBegun());
+  const bool covered = claims_.Covers(OwnBegun());
+  const bool waits = !covered && now_us - announced_us_ >= kRepeatUs;
+  if ((!news && claims_.news()) || waits) hurried_ = true;
+  return covered;
 }
 
 // T: asks for a path unless somebody just did. Returns whether it asked.
@@ -248,6 +253,7 @@ StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) 
     claims_.Share(OwnBegun(), now_us);
     claims_.Renew(OwnBegun(), statistics_.others(), now_us);
     claims_.NoteAnnounced();
+    announced_us_ = now_us;
   }
   hurried_ = false;
   statistics_.SetClaim(claims_.claimed(), claims_.round());

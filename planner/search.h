@@ -103,8 +103,9 @@ class Search {
   // call it every 20 to 50 ms, and before the first Advance where others may be at work, so that
   // they know of each other.
   StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
-  // This worker had used up its claim and has just renewed it: others may be waiting to hear so.
-  // Send MakeBatch now and not at the next tick. At most once a round.
+  // This worker had used up its claim and has just renewed it, or still waits for others' claims
+  // and has not said its own for some milliseconds: others may be waiting, too. Send MakeBatch now
+  // and not at the next tick.
   bool WantsExchange() const { return hurried_; }
   // Visited paths whose evaluation was never heard here, at most `limit`: ask for them before
   // BestPlan, or it may differ from other processes' plans.
@@ -220,6 +221,7 @@ class Search {
   std::int64_t awaited_ = 0;  // paths asked for here and not yet answered
   bool advanced_ = false;     // a worker, not an observer
   bool hurried_ = false;
+  std::int64_t announced_us_ = 0;  // when the last batch was made
   bool stopped_ = false;
 };
 
