@@ -30,7 +30,7 @@ void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
       ->check(CLI::Range(0, 7))
       ->capture_default_str();
   app.add_option("--legs", options.legs, "actions in a complete plan; 0: as the simulator stands")
-      ->check(CLI::Range(0, 5))
+      ->check(CLI::Range(0, 32))
       ->capture_default_str();
   app.add_flag("!--no-reset", options.reset, "take the scene as it is, as on a robot");
   app.add_option("--policy", options.policy,
