@@ -61,9 +61,14 @@ class Engine {
   /// f_dec: pictures of states, each image_height x image_width x 3 bytes RGB.
   virtual std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) = 0;
 
-  /// The light of an episode, by its first picture: the factor for what Decode gives (hidden states
-  /// do not hold how bright a scene is). 1 where an engine knows nothing of light.
-  virtual double Light(const std::uint8_t* /*rgb*/) { return 1.0; }
+  /// f_dec of states imagined from a picture that was seen (`seen`, of the engine's size, encoded
+  /// as `start`): in its light, and showing it where imagination changes nothing. Engines that do
+  /// not paint leave it at Decode.
+  virtual std::vector<std::vector<std::uint8_t>> DecodeOnto(const std::uint8_t* /*seen*/,
+                                                            const Hidden& /*start*/,
+                                                            const std::vector<Hidden>& states) {
+    return Decode(states);
+  }
 
   /// C: for a picture, the probability of each action that this is the action's goal. Empty if the
   /// weights hold no classifier.

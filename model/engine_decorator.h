@@ -24,7 +24,10 @@ class EngineDecorator : public Engine {
   std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override {
     return inner_->Decode(states);
   }
-  double Light(const std::uint8_t* rgb) override { return inner_->Light(rgb); }
+  std::vector<std::vector<std::uint8_t>> DecodeOnto(const std::uint8_t* seen, const Hidden& start,
+                                                    const std::vector<Hidden>& states) override {
+    return inner_->DecodeOnto(seen, start, states);
+  }
   std::vector<float> Classify(const std::uint8_t* rgb) override { return inner_->Classify(rgb); }
   const EngineInfo& info() const override { return inner_->info(); }
   std::uint64_t weights_hash() const override { return inner_->weights_hash(); }

@@ -80,30 +80,22 @@ class TorchEngine : public Engine {
   }
 
   std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override {
-    for (const Hidden& state : states) {
-      if (state.size() != static_cast<std::size_t>(info_.hidden_size)) {
-        throw std::invalid_argument("Decode: a hidden state has the wrong size");
-      }
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::vector<std::vector<std::uint8_t>> pictures(states.size());
-    pool_.Run(states.size(), [&](std::size_t i) {
-      const c10::InferenceMode inference;
-      const torch::Tensor x = networks_.decoder->forward(State(states[i].data()));
-      const torch::Tensor bytes =
-          x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
-      pictures[i].assign(bytes.data_ptr<std::uint8_t>(),
-                         bytes.data_ptr<std::uint8_t>() + bytes.numel());
-    });
-    return pictures;
+    return Paint(states, [](const torch::Tensor& decoded) { return decoded; });
   }
 
-  double Light(const std::uint8_t* rgb) override {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const c10::InferenceMode inference;
-    const torch::Tensor seen = Picture(rgb);
-    return LightGain(seen, networks_.decoder->forward(networks_.encoder->forward(seen)))
-        .item<double>();
+  std::vector<std::vector<std::uint8_t>> DecodeOnto(const std::uint8_t* seen, const Hidden& start,
+                                                    const std::vector<Hidden>& states) override {
+    RequireSize(start);
+    torch::Tensor decoded_start;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const c10::InferenceMode inference;
+      decoded_start = networks_.decoder->forward(State(start.data()));
+    }
+    const torch::Tensor picture = Picture(seen);
+    return Paint(states, [&](const torch::Tensor& decoded) {
+      return ComposePicture(picture, decoded_start, decoded);
+    });
   }
 
   std::vector<float> Classify(const std::uint8_t* rgb) override {
@@ -131,6 +123,30 @@ class TorchEngine : public Engine {
     }
     networks_.SetTraining(false);
     fingerprint_ = Probe();
+  }
+
+  void RequireSize(const Hidden& state) const {
+    if (state.size() != static_cast<std::size_t>(info_.hidden_size)) {
+      throw std::invalid_argument("Decode: a hidden state has the wrong size");
+    }
+  }
+
+  /// Decodes states, each finished by `finish`, into bytes.
+  template <typename Finish>
+  std::vector<std::vector<std::uint8_t>> Paint(const std::vector<Hidden>& states,
+                                               const Finish& finish) {
+    for (const Hidden& state : states) RequireSize(state);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::vector<std::vector<std::uint8_t>> pictures(states.size());
+    pool_.Run(states.size(), [&](std::size_t i) {
+      const c10::InferenceMode inference;
+      const torch::Tensor x = finish(networks_.decoder->forward(State(states[i].data())));
+      const torch::Tensor bytes =
+          x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
+      pictures[i].assign(bytes.data_ptr<std::uint8_t>(),
+                         bytes.data_ptr<std::uint8_t>() + bytes.numel());
+    });
+    return pictures;
   }
 
   static void RequireAction(int action, int last) {

@@ -103,7 +103,8 @@ class ChainScorer {
     const TrialSample& trial = context_.trial(first.trial);
     const torch::Tensor h0 = split_.Hidden(trial.first);
     torch::Tensor h = split_.Hidden(first.start);
-    gain_ = LightGain(Seen(trial.first), networks_.decoder->forward(h0));
+    seen_ = Seen(first.start);
+    decoded_start_ = networks_.decoder->forward(h);
     ChainSums sums;
     for (int k = 0; k < 2 && segment + k < trial.first_segment + trial.segments; ++k) {
       const SegmentSample& step = context_.segment(segment + k);
@@ -133,15 +134,15 @@ class ChainScorer {
 
   void ScorePicture(const torch::Tensor& h, const SegmentSample& first, const SegmentSample& step,
                     StepSums* sums) {
-    const torch::Tensor x = networks_.decoder->forward(h) * gain_;
+    const torch::Tensor x = ComposePicture(seen_, decoded_start_, networks_.decoder->forward(h));
     const torch::Tensor goal = Seen(step.goal);
     const torch::Tensor clean = Clean(step.goal);
     const torch::Tensor changed =
         (clean - Clean(first.start)).abs().amax(1, true).gt(kChanged).to(torch::kFloat);
+    const torch::Tensor again = networks_.decoder->forward(split_.Hidden(step.goal));
     sums->predicted.Add(x, goal, clean, changed);
     sums->copied.Add(Seen(first.start), goal, clean, changed);
-    sums->reconstructed.Add(networks_.decoder->forward(split_.Hidden(step.goal)) * gain_, goal,
-                            clean, changed);
+    sums->reconstructed.Add(again * LightGain(goal, again), goal, clean, changed);
     sums->noise += (goal - clean).abs().sum().item<double>();
     sums->values += static_cast<double>(goal.numel());
     sums->changed_values += 3.0 * changed.sum().item<double>();
@@ -165,7 +166,7 @@ class ChainScorer {
   const ScoredSplit& split_;
   const TrainContext& context_;
   Networks networks_;
-  torch::Tensor gain_;  // the light of the trial's first picture
+  torch::Tensor seen_, decoded_start_;  // where the chain begins
   const TrialFile& file_;
   std::mutex* file_mutex_;
 };

@@ -31,10 +31,10 @@ TrainConfig Navigation() {
   c.focus = 5.0;
   c.landmark_weight = 2.0;
   c.classifier = {1500, 16, 1e-3};
-  c.encoder_decoder = {4000, 16, 1.5e-3};
-  c.transform_hidden = {6000, 32, 1e-3};
+  c.encoder_decoder = {3000, 16, 1.5e-3};
+  c.transform_hidden = {5000, 32, 1e-3};
   c.transform_image = {300, 16, 3e-4};
-  c.heads = {3000, 32, 1e-3};
+  c.heads = {2000, 32, 1e-3};
   c.linked_steps = 3;  // plans have three to five legs
   c.repeat_last = false;
   c.start_share = 0.8;  // the planner always looks between actions

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <unordered_set>
 
 #include "services/binding/evaluation_messages.h"
@@ -30,12 +29,6 @@ using planner::Path;
 
 std::size_t ReplyBytes(const evaluation_t& evaluation) {
   return 20 + evaluation.path.actions.size() + 5 * evaluation.actions.size();
-}
-
-void Brighten(double factor, std::vector<std::uint8_t>* picture) {
-  for (std::uint8_t& byte : *picture) {
-    byte = static_cast<std::uint8_t>(std::clamp(std::lround(byte * factor), 0L, 255L));
-  }
 }
 
 }  // namespace
@@ -110,7 +103,7 @@ void ModelServer::OnImage(const search_image_t& image) {
     return;
   }
   found->pictures[image.image_id] = encoder_.Encode(image.data);
-  if (image.image_id == found->root.image0_id) found->first_picture = image.data;
+  if (image.image_id == found->root.image_id) found->present_picture = image.data;
   const auto first = found->pictures.find(found->root.image0_id);
   const auto present = found->pictures.find(found->root.image_id);
   if (first == found->pictures.end() || present == found->pictures.end()) return;
@@ -276,12 +269,6 @@ void ModelServer::OnPredict(const predict_request_t& request) {
   if (!waits && predictions_.size() < kMostPredictions) predictions_.push_back(request);
 }
 
-// Found when a picture is first asked for, so that no search waits for it.
-double ModelServer::Light(Active* active) {
-  if (active->light == 0) active->light = engine_.Light(active->first_picture.data());
-  return active->light;
-}
-
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
   predict_reply_t reply{};
   reply.server_id = health_.instance_id();
@@ -299,8 +286,9 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
     reply.status = expand_reply_t::STATUS_OK;
     const model::Hidden state = active->memory->State(request.path.actions);
     if (request.want_image) {
-      reply.data = engine_.Decode({state}).at(0);
-      Brighten(Light(active), &reply.data);
+      reply.data =
+          engine_.DecodeOnto(active->present_picture.data(), active->memory->State({}), {state})
+              .at(0);
       reply.width = engine_.info().image_width;
       reply.height = engine_.info().image_height;
     }

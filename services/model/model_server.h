@@ -57,8 +57,7 @@ class ModelServer {
     std::unique_ptr<SearchMemory> memory;
     std::map<std::int64_t, model::Hidden> pictures;  // by image id, until ready
     std::int64_t heard_ms = 0;
-    std::vector<std::uint8_t> first_picture;  // x0, for its light
-    double light = 0;  // the factor for decoded pictures; 0 until the first is asked for
+    std::vector<std::uint8_t> present_picture;  // x, on which imagined pictures are painted
   };
 
   void OnRoot(const search_root_t& root);
@@ -67,7 +66,6 @@ class ModelServer {
   void OnExpand(const expand_request_t& request);
   void OnPredict(const predict_request_t& request);
 
-  double Light(Active* active);
   Active* Find(std::int64_t search_id, std::int32_t epoch);
   void Admit(const search_root_t& root);
   bool Suits(const search_root_t& root) const;

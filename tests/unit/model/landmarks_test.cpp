@@ -88,6 +88,16 @@ TEST(LightGain, FindsTheFactorWhateverThePictureIs) {
   EXPECT_TRUE(torch::allclose(LightGain(decoded * light, decoded), light, 1e-4));
 }
 
+TEST(ComposePicture, ShowsWhatWasSeenWhereNothingChangesAndPaintsTheRestInItsLight) {
+  const torch::Tensor decoded_start = torch::full({1, 3, 4, 4}, 0.5F);
+  const torch::Tensor seen = decoded_start * 1.1F;
+  torch::Tensor decoded = decoded_start + 0.05F;  // less than counts as a change
+  decoded.select(3, 0).fill_(0.1F);
+  const torch::Tensor picture = ComposePicture(seen, decoded_start, decoded);
+  EXPECT_TRUE(torch::allclose(picture.narrow(3, 1, 3), seen.narrow(3, 1, 3)));
+  EXPECT_TRUE(torch::allclose(picture.select(3, 0), torch::full({1, 3, 4}, 0.11F), 1e-4));
+}
+
 TEST(TurnOf, FewVariantsStillShowAllTurns) {
   TrainConfig config;
   EXPECT_EQ(TurnOf(config, 5, 0), 0);
