@@ -1,0 +1,7 @@
+if(NOT TARGET prospect_sim)
+  return()
+endif()
+find_package(CLI11 REQUIRED)
+add_executable(prospect-view ${CMAKE_CURRENT_SOURCE_DIR}/view.cpp)
+prospect_target(prospect-view)
+target_link_libraries(prospect-view PRIVATE prospect_sim CLI11::CLI11)
