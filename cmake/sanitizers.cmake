@@ -9,3 +9,13 @@ elseif(PROSPECT_SANITIZE STREQUAL "tsan")
 elseif(PROSPECT_SANITIZE)
   message(FATAL_ERROR "PROSPECT_SANITIZE is '${PROSPECT_SANITIZE}': say asan, tsan or nothing")
 endif()
+
+# libFuzzer targets (tests/fuzz): everything is instrumented, so this wants clang and a build folder of its own.
+option(PROSPECT_FUZZ "Build libFuzzer targets instead of the tests of tests/fuzz; needs clang" OFF)
+if(PROSPECT_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "PROSPECT_FUZZ needs clang: -DCMAKE_CXX_COMPILER=clang++ (packages clang, libclang-rt-14-dev)")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=address,undefined)
+endif()

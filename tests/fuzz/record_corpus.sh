@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Records tests/fuzz/corpus anew from one real episode, for when a message type has changed:
+#   tests/fuzz/record_corpus.sh [BUILD_FOLDER]        (default build/release; needs the programs and fuzz_split_log)
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+bin=$(cd "${1:-$root/build/release}" && pwd)/bin
+work=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
+export LCM_DEFAULT_URL='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
+
+if [[ -z ${PROSPECT_PRIVATE_BUS:-} ]]; then
+  exec "$root/tests/integration/with_bus.sh" "$0" "$@"
+fi
+lcm-logger -q "$work/log" &
+"$bin/prospect-simulator" --objects 7 >"$work/simulator" 2>&1 &
+"$bin/prospect-model-server" --weights scripted:7 >"$work/model" 2>&1 &
+for i in 1 2; do "$bin/prospect-worker" >"$work/worker$i" 2>&1 & done
+"$bin/prospect-executive" --seed 1500000 --objects 7 --legs 3 --samples 150 --workers 2 --refusal-threshold 0 --out "$work/out" || true
+kill -INT %1
+wait %1 || true
+rm -rf "$root/tests/fuzz/corpus"
+"$bin/fuzz_split_log" "$work/log" "$root/tests/fuzz/corpus"
+du -sh --apparent-size "$root/tests/fuzz/corpus"
