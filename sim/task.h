@@ -35,6 +35,7 @@ struct TaskSpec {
   int image_width = 0;  // of Observe()
   int image_height = 0;
   double tick_seconds = 0.1;     // simulated seconds a Tick() advances; the camera's period
+  double step_seconds = 0.001;   // simulated seconds of one physics step
   double action_time_limit = 0;  // simulated seconds an action may take before it fails
   // [actions.size() + 1]: which actions may follow each action by the task's graph; the last row is
   // for null_action(), that is the start of a trial. Ascending.

@@ -15,6 +15,8 @@ struct TaskOptions {
   int tower = 2;    // stacking: blocks in the tower, 2 to 4
   std::string scene_file =
       {};  // stacking: a file like config/scenes/stacking.yaml; empty: that one
+  double execution_noise =
+      1.0;  // stacking: scale of the scene file's execution noise; 0: none. For measurements
   double image_noise =
       0.01;  // sigma of the sensor noise as a share of full range; Observe() stays clean
 };

@@ -10,6 +10,7 @@
 
 #include "model/dataset.h"
 #include "tools/collect/collector.h"
+#include "tools/common/causes.h"
 
 namespace {
 
@@ -45,14 +46,15 @@ void AddOptions(CLI::App* app, tools::CollectOptions* options, std::string* json
   app->add_option("--json", *json_file, "Write the figures to this file, too");
 }
 
-// Keys: task, trials, kept, successes, failures (by cause), frames, simulated_seconds,
+// Keys: task, trials, kept, successes, failures (by cause), reasons, frames, simulated_seconds,
 // wall_seconds, out.
 json Report(const tools::CollectOptions& options, const tools::CollectSummary& summary) {
   return {{"task", options.task},
           {"trials", summary.trials},
           {"kept", summary.kept},
           {"successes", summary.successes},
-          {"failures", summary.failures},
+          {"failures", tools::ByCause(summary.failures)},
+          {"reasons", summary.failures},
           {"frames", summary.frames},
           {"simulated_seconds", summary.simulated_seconds},
           {"wall_seconds", summary.wall_seconds},
@@ -64,9 +66,7 @@ void Print(const tools::CollectOptions& options, const tools::CollectSummary& su
               static_cast<long long>(summary.frames), options.out.c_str());
   std::printf("successes  %d (%.1f %%)\n", summary.successes,
               100.0 * summary.successes / summary.trials);
-  for (const auto& [reason, count] : summary.failures) {
-    std::printf("  %-22s %d (%.1f %%)\n", reason.c_str(), count, 100.0 * count / summary.trials);
-  }
+  tools::PrintCauses(summary.failures, summary.trials, stdout);
   std::printf("%.0f s simulated in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
 }
 

@@ -1,4 +1,5 @@
 add_library(prospect_tools_common STATIC
+  ${CMAKE_CURRENT_SOURCE_DIR}/common/causes.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/common/fork_map.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/common/interval.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/common/progress.cpp)

@@ -1,11 +1,14 @@
 // prospect-view: a picture of a task's scene, at any size and from any of its cameras, for people.
-// With --actions, after these actions; with --frames, of every tick on the way.
+// With --actions, after these actions; with --frames or --video, of every tick on the way. With
+// --episode the scene and the actions are those of an episode that was carried out: worlds repeat
+// bit for bit, so what is shown is what happened.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +17,8 @@
 #include "sim/rollout.h"
 #include "sim/stacking/stacking_task.h"
 #include "sim/task_factory.h"
+#include "tools/view/episode_file.h"
+#include "tools/view/video.h"
 
 namespace {
 
@@ -25,6 +30,8 @@ struct Options {
   sim::TaskOptions world;
   std::string out;
   std::string frames;
+  std::string video;
+  std::string episode;
   std::string size = "640x480";
   std::string camera;
   std::vector<int> actions;
@@ -35,7 +42,7 @@ struct Options {
 void AddOptions(CLI::App* app, Options* options) {
   app->add_option("--task", options->task, "The task")->capture_default_str();
   app->add_option("--seed", options->seed, "The scene")->capture_default_str();
-  app->add_option("--out", options->out, "The picture to write (PNG)")->required();
+  app->add_option("--out", options->out, "The picture to write (PNG)");
   app->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
   app->add_option("--camera", options->camera,
                   "One of the scene's cameras (default: view, or the only one)");
@@ -43,12 +50,25 @@ void AddOptions(CLI::App* app, Options* options) {
       ->delimiter(',');
   app->add_option("--frames", options->frames,
                   "A folder for a picture of every tick, 00000.png and so on");
+  app->add_option("--video", options->video, "A video of every tick to write (MP4)");
+  app->add_option("--episode", options->episode,
+                  "An episode's result.json: task, scene and actions are taken from there");
   app->add_option("--scene-file", options->world.scene_file,
                   "Stacking: a file like config/scenes/stacking.yaml");
   app->add_option("--tower", options->world.tower, "Stacking: blocks in the tower, 2 to 4")
       ->capture_default_str();
   app->add_option("--objects", options->world.objects, "Navigation: objects on the site, 4 to 7")
       ->capture_default_str();
+}
+
+void ReadEpisode(Options* options) {
+  if (options->episode.empty()) return;
+  const tools::CarriedOut episode = tools::ReadEpisodeResult(options->episode);
+  options->task = episode.task;
+  options->seed = episode.seed;
+  options->actions = episode.actions;
+  if (episode.task == "navigation") options->world.objects = episode.objects;
+  sim::SetPlanLength(episode.task, episode.plan_length, &options->world);
 }
 
 void ReadSize(Options* options) {
@@ -72,38 +92,53 @@ sim::Image Take(sim::Task& task, const Options& options) {
   return task.Render(options.width, options.height);
 }
 
-// A numbered picture of every tick.
+// A picture of every tick, as numbered files and as a video.
 class FrameWriter : public sim::FrameSink {
  public:
-  FrameWriter(sim::Task* task, const Options& options) : task_(task), options_(options) {}
+  FrameWriter(sim::Task* task, const Options& options) : task_(task), options_(options) {
+    if (!options.frames.empty()) std::filesystem::create_directories(options.frames);
+    if (options.video.empty()) return;
+    video_ = std::make_unique<tools::Video>(options.video, 1 / task->spec().tick_seconds,
+                                            options.width, options.height);
+  }
 
   void OnFrame(const sim::Image&, const sim::Progress&) override {
+    const sim::Image picture = Take(*task_, options_);
+    if (video_) video_->Add(picture);
+    if (options_.frames.empty()) return;
     char name[32];
     std::snprintf(name, sizeof name, "/%05d.png", count_++);
-    sim::WritePng(options_.frames + name, Take(*task_, options_));
+    sim::WritePng(options_.frames + name, picture);
   }
 
  private:
   sim::Task* task_;
   const Options& options_;
+  std::unique_ptr<tools::Video> video_;
   int count_ = 0;
 };
+
+void RequireOutput(const Options& options) {
+  if (options.out.empty() && options.frames.empty() && options.video.empty()) {
+    throw std::invalid_argument("nothing to write: give --out, --frames or --video");
+  }
+}
 
 int Run(const Options& options) {
   const auto task = sim::MakeTask(options.task, options.world);
   task->Reset(options.seed);
-  FrameWriter writer(task.get(), options);
-  if (!options.frames.empty()) std::filesystem::create_directories(options.frames);
-  const auto result =
-      sim::RunPlan(*task, options.actions, options.frames.empty() ? nullptr : &writer);
+  const bool every_tick = !options.frames.empty() || !options.video.empty();
+  std::unique_ptr<FrameWriter> writer;
+  if (every_tick) writer = std::make_unique<FrameWriter>(task.get(), options);
+  const auto result = sim::RunPlan(*task, options.actions, writer.get());
   if (result.reason == "illegal_action") {
     throw std::invalid_argument("--actions: action " +
                                 std::to_string(options.actions[result.actions_done]) +
                                 " may not follow there");
   }
-  sim::WritePng(options.out, Take(*task, options));
+  if (!options.out.empty()) sim::WritePng(options.out, Take(*task, options));
   const sim::Progress progress = task->progress();
-  std::printf("%s, scene %llu, %.1f s: %s %s\n", options.out.c_str(),
+  std::printf("%s, scene %llu, %.1f s: %s %s\n", options.task.c_str(),
               static_cast<unsigned long long>(options.seed), progress.time,
               ToString(progress.outcome), progress.reason.c_str());
   return 0;
@@ -121,7 +156,9 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
+    RequireOutput(options);
     ReadSize(&options);
+    ReadEpisode(&options);
     return Run(options);
   } catch (const std::invalid_argument& error) {
     std::cerr << "prospect-view: " << error.what() << '\n';

@@ -102,9 +102,14 @@ std::string Scene::Start(int action) {
   const auto progress = task_->progress();
   if (progress.outcome != sim::Outcome::kRunning) return "the trial is over";
   if (moving()) return "another action is running";
+  const auto& table = task_->spec().actions;
+  if (action < 0 || action >= static_cast<int>(table.size())) {
+    return "action " + std::to_string(action) + " is not in the table of " +
+           std::to_string(table.size());
+  }
   const auto legal = task_->LegalActions();
   if (std::find(legal.begin(), legal.end(), action) == legal.end()) {
-    return "action " + std::to_string(action) + " is not possible now";
+    return table[action].name + " is not possible now";
   }
   return task_->StartAction(action) ? "" : "the task refused the action";
 }

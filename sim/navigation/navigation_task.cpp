@@ -23,6 +23,7 @@ TaskSpec MakeSpec(const TaskOptions& options, const NavigationParameters& parame
   spec.image_width = 64;
   spec.image_height = 64;
   spec.tick_seconds = parameters.tick;
+  spec.step_seconds = parameters.step;
   spec.action_time_limit = parameters.time_limit;
   const std::vector<ObjectKind>& kinds = ObjectCatalogue();
   const int count = static_cast<int>(kinds.size());

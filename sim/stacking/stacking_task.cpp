@@ -27,11 +27,26 @@ TabletopDescription CheckedDescription(const TaskOptions& options) {
   return description;
 }
 
+StackingParameters ScaledParameters(const TaskOptions& options, int blocks) {
+  if (!(options.execution_noise >= 0 && options.execution_noise <= 10)) {
+    throw std::invalid_argument("stacking: execution_noise is out of range, give 0 to 10");
+  }
+  StackingParameters p = ReadStackingParameters(OpenSceneFile(options.scene_file), blocks);
+  for (double* noise :
+       {&p.grip_noise, &p.place_noise, &p.speed_noise, &p.release_delay, &p.early_release}) {
+    *noise *= options.execution_noise;
+  }
+  return p;
+}
+
 TaskSpec MakeSpec(const TaskOptions& options, const TabletopDescription& description,
                   const StackingParameters& parameters) {
   TaskSpec spec;
   spec.name = "stacking";
   spec.world_version = "stacking-" + SceneHash(OpenSceneFile(options.scene_file), kRevision);
+  if (options.execution_noise != 1) {
+    spec.world_version += "-noise" + std::to_string(options.execution_noise);
+  }
   std::vector<std::string> names;
   for (const BodyDescription& block : description.blocks) names.push_back(block.name);
   const int blocks = static_cast<int>(names.size());
@@ -44,6 +59,7 @@ TaskSpec MakeSpec(const TaskOptions& options, const TabletopDescription& descrip
   spec.image_width = 64;
   spec.image_height = 64;
   spec.tick_seconds = parameters.tick;
+  spec.step_seconds = description.physics.step;
   spec.action_time_limit = parameters.time_limit * (options.tower - 1);
   return spec;
 }
@@ -72,7 +88,7 @@ struct StackingTask::State : TaskState {
 StackingTask::StackingTask(const TaskOptions& options)
     : options_(options),
       description_(CheckedDescription(options)),
-      parameters_(ReadStackingParameters(OpenSceneFile(options.scene_file), blocks())),
+      parameters_(ScaledParameters(options, blocks())),
       spec_(MakeSpec(options, description_, parameters_)),
       obstacle_height_(HeightOf(description_.obstacle)),
       time_limit_(parameters_.time_limit * (options.tower - 1)),

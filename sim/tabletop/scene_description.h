@@ -63,7 +63,7 @@ struct GripperDescription {
 };
 
 struct PhysicsDescription {
-  double step = 0.002;
+  double step = 0.004;
   double gravity = 9.81;
   double erp = 0.2;
   double cfm = 1e-6;

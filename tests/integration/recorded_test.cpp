@@ -33,15 +33,20 @@ std::vector<std::uint8_t> AsRead(model::Trial trial) {
   return trial.images;
 }
 
-TEST(Recorded, TrialEqualsTheCollectedOne) {
+struct World {
+  std::vector<std::string> simulator, executive, collector;  // arguments
+};
+
+void TrialEqualsTheCollectedOne(const std::string& name, const World& world) {
   Witness witness;
-  Deployment deployment("recorded");
+  Deployment deployment("recorded_" + name);
   const std::string log = deployment.folder + "/episode.lcmlog";
   const std::string seed = std::to_string(kSeed);
   Process logger("/usr/bin/lcm-logger", {"-q", log}, deployment.folder + "/logger.log");
-  deployment.Simulator();
-  auto& executive =
-      deployment.Executive({"--policy", "collect", "--services-timeout-ms", "20000"}, kSeed);
+  deployment.Simulator(world.simulator);
+  std::vector<std::string> arguments{"--policy", "collect", "--services-timeout-ms", "20000"};
+  arguments.insert(arguments.end(), world.executive.begin(), world.executive.end());
+  auto& executive = deployment.Executive(arguments, kSeed);
   int code = -1;
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000));
   ASSERT_TRUE(code == 0 || code == 4) << code;
@@ -52,10 +57,10 @@ TEST(Recorded, TrialEqualsTheCollectedOne) {
   Process importer("prospect-from-log", {log, "--out", deployment.folder + "/recorded.h5"},
                    deployment.folder + "/import.log");
   ASSERT_EQ(importer.Wait(30000), 0) << ReadText(deployment.folder + "/import.log");
-  Process collector("prospect-collect",
-                    {"--trials", "1", "--jobs", "1", "--seed", seed, "--objects", "7", "--legs",
-                     "3", "--out", deployment.folder + "/collected.h5"},
-                    deployment.folder + "/collect.log");
+  arguments = {"--trials", "1",  "--jobs", "1",
+               "--seed",   seed, "--out",  deployment.folder + "/collected.h5"};
+  arguments.insert(arguments.end(), world.collector.begin(), world.collector.end());
+  Process collector("prospect-collect", arguments, deployment.folder + "/collect.log");
   ASSERT_EQ(collector.Wait(30000), 0) << ReadText(deployment.folder + "/collect.log");
 
   const model::Trial recorded = ReadOnly(deployment.folder + "/recorded.h5");
@@ -70,6 +75,16 @@ TEST(Recorded, TrialEqualsTheCollectedOne) {
   EXPECT_EQ(recorded.dones, collected.dones);
   EXPECT_EQ(recorded.present, collected.present);
   EXPECT_TRUE(AsRead(recorded) == AsRead(collected)) << "frames differ";
+}
+
+TEST(Recorded, TrialEqualsTheCollectedOne) {
+  TrialEqualsTheCollectedOne("navigation", {{}, {}, {"--objects", "7", "--legs", "3"}});
+}
+
+TEST(Recorded, StackingTrialEqualsTheCollectedOne) {
+  TrialEqualsTheCollectedOne(
+      "stacking",
+      {{"--task", "stacking"}, {"--objects", "0", "--legs", "9"}, {"--task", "stacking"}});
 }
 
 }  // namespace

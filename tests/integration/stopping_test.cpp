@@ -7,13 +7,11 @@
 #include <string>
 
 #include "services/common/clock.h"
-#include "services/common/health.h"
+#include "tests/integration/support/commander.h"
 #include "tests/integration/support/deployment.h"
 
 namespace prospect::tests {
 namespace {
-
-using services::UtimeNow;
 
 // Slow enough that an action lasts many seconds.
 const std::vector<std::string> kSlow{"--frames-per-second", "4"};
@@ -64,34 +62,6 @@ TEST(Stopping, InterruptedExecutiveCancelsAtOnce) {
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 5000));
   EXPECT_EQ(code, 130);
 }
-
-// The test plays the executive.
-class Commander {
- public:
-  explicit Commander(Witness& witness) : witness_(witness), health_(witness.bus, "executive") {}
-
-  action_command_t Start(std::int64_t id, int action) const {
-    action_command_t command{};
-    command.executive_id = health_.instance_id();
-    command.command_id = id;
-    command.episode_id = witness_.episode_id;
-    command.kind = action_command_t::KIND_START;
-    command.action = action;
-    return command;
-  }
-
-  void Say(action_command_t command) {
-    command.utime = UtimeNow();
-    witness_.bus.Publish(command);
-  }
-
-  // Every 20 ms through Witness::Until: keeps the executive's health alive.
-  void Beat() { health_.Tick(); }
-
- private:
-  Witness& witness_;
-  services::HealthBeacon health_;
-};
 
 bool Ended(const Witness& witness, std::int64_t id) {
   return !witness.statuses.empty() && witness.statuses.back().command_id == id && !Running(witness);

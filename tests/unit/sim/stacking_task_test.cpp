@@ -1,6 +1,8 @@
 #include "sim/stacking/stacking_task.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -246,6 +248,42 @@ TEST(StackingTask, RepeatsBitForBitAlsoInThreads) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(hashes[0], hash);
   EXPECT_EQ(hashes[1], hash);
+}
+
+TEST(StackingTask, RepeatsInAnotherProcess) {
+  const std::vector<int> plan = {2, 6, 10};
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    StackingTask task(TaskOptions{});
+    const std::uint64_t hash = TrialHash(task, 7, plan);
+    _exit(write(ends[1], &hash, sizeof hash) == sizeof hash ? 0 : 1);
+  }
+  std::uint64_t hash = 0;
+  ASSERT_EQ(read(ends[0], &hash, sizeof hash), static_cast<ssize_t>(sizeof hash));
+  waitpid(child, nullptr, 0);
+  StackingTask task(TaskOptions{});
+  EXPECT_EQ(hash, TrialHash(task, 7, plan));
+}
+
+TEST(StackingTask, WithoutExecutionNoiseASeedOfNoiseChangesNothing) {
+  TaskOptions options;
+  options.execution_noise = 0;
+  StackingTask task(options);
+  StackingTask noisy(TaskOptions{});
+  EXPECT_NE(task.spec().world_version, noisy.spec().world_version);
+  const auto end = [](StackingTask& one, std::uint64_t noise_seed) {
+    one.Reset(3);
+    one.SetNoiseSeed(noise_seed);
+    RunPlan(one, {3, 7}, nullptr);
+    return one.RobotState();
+  };
+  EXPECT_EQ(end(task, 1), end(task, 2));
+  EXPECT_NE(end(noisy, 1), end(noisy, 2));
+  options.execution_noise = -1;
+  EXPECT_THROW(StackingTask{options}, std::invalid_argument);
 }
 
 TEST(StackingTask, GoesOnFromASavedStateInAnotherTask) {

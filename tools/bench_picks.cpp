@@ -1,0 +1,189 @@
+// prospect-picks-bench: how surely the stacking world's controllers pick a block up and put it on
+// another where nothing is in the way, without execution noise and with the default one.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/random.h"
+#include "sim/rollout.h"
+#include "sim/stacking/action_table.h"
+#include "sim/stacking/stacking_task.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/interval.h"
+#include "tools/common/progress.h"
+
+namespace {
+
+using nlohmann::json;
+using namespace prospect;
+
+constexpr std::uint64_t kPairStream = 0x7069636b73ULL;
+
+struct Options {
+  int scenes = 500;
+  std::uint64_t seed = 1'000'000;
+  double clearance = 0.20;
+  std::vector<double> noise = {0, 1};
+  int jobs = 2;
+  std::string json_file;
+};
+
+void AddOptions(CLI::App* app, Options* options) {
+  app->add_option("--scenes", options->scenes, "Scenes with a pair of blocks far from the obstacle")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Where the search for such scenes begins")
+      ->capture_default_str();
+  app->add_option("--clearance", options->clearance,
+                  "Metres between the obstacle and both blocks and the line between these")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app->add_option("--noise", options->noise,
+                  "Scales of the execution noise; 0: none, 1: the scene file's")
+      ->delimiter(',');
+  app->add_option("--jobs", options->jobs, "Processes")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app->add_option("--json", options->json_file, "Write the figures to this file, too");
+}
+
+constexpr double kObstacleRadius = 0.025, kHalfBlock = 0.025;  // m, as in the default scene
+
+// Metres between the obstacle's surface and the nearest of the two blocks' surfaces and the line
+// between their centres, on the table.
+double Clearance(const sim::StackingScene& scene, int pick, int place) {
+  const auto flat = [](const Eigen::Isometry3d& pose) {
+    return Eigen::Vector2d(pose.translation().head<2>());
+  };
+  const Eigen::Vector2d a = flat(scene.blocks[pick]), b = flat(scene.blocks[place]);
+  const Eigen::Vector2d way = b - a, obstacle = flat(scene.obstacle);
+  const double along = std::clamp((obstacle - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  const double to_line = (a + along * way - obstacle).norm();
+  const double to_block = std::min((a - obstacle).norm(), (b - obstacle).norm());
+  return std::min(to_line, to_block - kHalfBlock) - kObstacleRadius;
+}
+
+struct Pair {
+  std::uint64_t seed = 0;
+  int pick = 0, place = 0;
+};
+
+// One of the scene's pairs that are clear of the obstacle, at random.
+std::optional<Pair> ClearPair(const sim::StackingScene& scene, std::uint64_t seed,
+                              double clearance) {
+  std::vector<Pair> pairs;
+  const int blocks = static_cast<int>(scene.blocks.size());
+  for (int pick = 0; pick < blocks; ++pick) {
+    for (int place = 0; place < blocks; ++place) {
+      if (pick != place && Clearance(scene, pick, place) > clearance) {
+        pairs.push_back({seed, pick, place});
+      }
+    }
+  }
+  if (pairs.empty()) return std::nullopt;
+  sim::Random random(sim::MixSeeds({seed, kPairStream}));
+  return pairs[random.Below(static_cast<int>(pairs.size()))];
+}
+
+std::vector<Pair> FindPairs(const Options& options) {
+  sim::StackingTask task({});
+  std::vector<Pair> pairs;
+  for (std::uint64_t seed = options.seed; static_cast<int>(pairs.size()) < options.scenes; ++seed) {
+    if (seed - options.seed > 1'000'000) {
+      throw std::invalid_argument("no scene has so much room: lower --clearance");
+    }
+    task.Reset(seed);
+    if (const auto pair = ClearPair(task.scene(), seed, options.clearance)) pairs.push_back(*pair);
+  }
+  return pairs;
+}
+
+std::vector<int> PlanOf(const Pair& pair, int blocks) {
+  std::vector<int> plan;
+  for (int kind = 0; kind < sim::kStackingKinds; ++kind) {
+    const bool picks = kind < static_cast<int>(sim::StackingKind::kAlignOver);
+    plan.push_back(sim::StackingIndex(static_cast<sim::StackingKind>(kind),
+                                      picks ? pair.pick : pair.place, blocks));
+  }
+  return plan;
+}
+
+// Keys: noise, scenes, successes, share, low, high, failures (by reason).
+json Row(double noise, const std::vector<Pair>& pairs, const Options& options) {
+  std::map<std::string, int> failures;
+  int successes = 0;
+  const int scenes = static_cast<int>(pairs.size());
+  tools::Progress progress("picks", scenes);
+  const auto make_work = [&] {
+    sim::TaskOptions world;
+    world.execution_noise = noise;
+    auto task = std::make_shared<sim::StackingTask>(world);
+    return [task, &pairs](int i) {
+      task->Reset(pairs[i].seed);
+      const int blocks = static_cast<int>(task->scene().blocks.size());
+      return sim::RunPlan(*task, PlanOf(pairs[i], blocks), nullptr).reason;
+    };
+  };
+  tools::ForkMap(scenes, options.jobs, make_work, [&](int, const std::string& reason) {
+    reason.empty() ? ++successes : ++failures[reason];
+    progress.Step();
+  });
+  const tools::Share share = tools::ShareOf(successes, scenes);
+  return {{"noise", noise},       {"scenes", scenes}, {"successes", successes},
+          {"share", share.value}, {"low", share.low}, {"high", share.high},
+          {"failures", failures}};
+}
+
+void Print(const json& row) {
+  std::printf("noise x %g: %d of %d (%.1f %%, %.1f to %.1f)", row["noise"].get<double>(),
+              row["successes"].get<int>(), row["scenes"].get<int>(),
+              100 * row["share"].get<double>(), 100 * row["low"].get<double>(),
+              100 * row["high"].get<double>());
+  for (const auto& [reason, count] : row["failures"].items()) {
+    std::printf("; %s %d", reason.c_str(), count.get<int>());
+  }
+  std::printf("\n");
+}
+
+void Run(const Options& options) {
+  const std::vector<Pair> pairs = FindPairs(options);
+  json rows = json::array();
+  for (const double noise : options.noise) {
+    rows.push_back(Row(noise, pairs, options));
+    Print(rows.back());
+  }
+  if (options.json_file.empty()) return;
+  std::ofstream out(options.json_file);
+  out << json{{"clearance", options.clearance}, {"rows", rows}}.dump(2) << '\n';
+  if (!out) throw std::runtime_error("cannot write " + options.json_file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Picks and places where nothing is in the way, without and with execution noise");
+  Options options;
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+    Run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "prospect bench picks: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "prospect bench picks: " << error.what() << '\n';
+    return 13;
+  }
+  return 0;
+}

@@ -1,0 +1,154 @@
+// prospect-sim-bench: how fast each world runs on one core, and where its time goes.
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/random_plan.h"
+#include "sim/task_factory.h"
+#include "tools/bench/cpu_clock.h"
+
+namespace {
+
+using nlohmann::json;
+using namespace prospect;
+
+struct Options {
+  std::vector<std::string> tasks = sim::TaskNames();
+  int trials = 20;
+  std::uint64_t seed = 0;
+  std::string json_file;
+};
+
+void AddOptions(CLI::App* app, Options* options) {
+  app->add_option("--task", options->tasks, "Tasks")->capture_default_str();
+  app->add_option("--trials", options->trials, "Random trials of each task")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Seed of the first trial")->capture_default_str();
+  app->add_option("--json", options->json_file, "Write the figures to this file, too");
+}
+
+// Adds the processor time from its making to its end to *seconds.
+class Timed {
+ public:
+  explicit Timed(double* seconds) : seconds_(seconds), start_(tools::CpuClock::now()) {}
+  ~Timed() { *seconds_ += std::chrono::duration<double>(tools::CpuClock::now() - start_).count(); }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+ private:
+  double* seconds_;
+  tools::CpuClock::time_point start_;
+};
+
+struct Costs {
+  int ticks = 0;
+  int pictures = 0;
+  double physics = 0;  // s of processor time: contacts, solver, controllers, verdict
+  double camera = 0;
+  double resets = 0;
+};
+
+void Look(sim::Task& task, Costs* costs) {
+  const Timed timed(&costs->camera);
+  task.Observe();
+  ++costs->pictures;
+}
+
+// One trial as the collector runs it, a picture a tick.
+void RunTrial(sim::Task& task, std::uint64_t seed, Costs* costs) {
+  {
+    const Timed timed(&costs->resets);
+    task.Reset(seed);
+  }
+  Look(task, costs);
+  sim::RandomPlan plan(task.spec().successors, seed);
+  for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
+    task.StartAction(plan.Choose(legal));
+    while (task.progress().action_state == sim::ActionState::kRunning) {
+      {
+        const Timed timed(&costs->physics);
+        task.Tick();
+      }
+      ++costs->ticks;
+      Look(task, costs);
+    }
+  }
+}
+
+// Keys: task, trials, simulated_seconds, real_time_factor (with the camera), physics_factor
+// (without), tick_ms, step_us, picture_ms, reset_ms, camera_share.
+json Row(const std::string& name, const Options& options) {
+  const auto task = sim::MakeTask(name);
+  task->Reset(options.seed);
+  task->Observe();  // what is made when it is first needed does not count
+  Costs costs;
+  for (int i = 0; i < options.trials; ++i) {
+    RunTrial(*task, options.seed + static_cast<std::uint64_t>(i), &costs);
+  }
+  const double simulated = costs.ticks * task->spec().tick_seconds;
+  const double physics = costs.physics + costs.resets;
+  return {{"task", name},
+          {"trials", options.trials},
+          {"simulated_seconds", simulated},
+          {"real_time_factor", simulated / (physics + costs.camera)},
+          {"physics_factor", simulated / physics},
+          {"tick_ms", 1e3 * costs.physics / costs.ticks},
+          {"step_us", 1e6 * costs.physics * task->spec().step_seconds / simulated},
+          {"picture_ms", 1e3 * costs.camera / costs.pictures},
+          {"reset_ms", 1e3 * costs.resets / options.trials},
+          {"camera_share", costs.camera / (physics + costs.camera)}};
+}
+
+void Print(const json& rows) {
+  std::printf("%-12s %7s %12s %12s %12s %9s %9s %11s %9s %8s\n", "task", "trials", "simulated s",
+              "x real time", "w/o camera", "tick ms", "step us", "picture ms", "reset ms",
+              "camera");
+  for (const json& row : rows) {
+    const auto number = [&](const char* key) { return row[key].get<double>(); };
+    std::printf("%-12s %7d %12.0f %12.1f %12.1f %9.3f %9.1f %11.3f %9.2f %6.0f %%\n",
+                row["task"].get<std::string>().c_str(), row["trials"].get<int>(),
+                number("simulated_seconds"), number("real_time_factor"), number("physics_factor"),
+                number("tick_ms"), number("step_us"), number("picture_ms"), number("reset_ms"),
+                100 * number("camera_share"));
+  }
+  std::printf("Processor time of one core; a tick is 0.1 s of simulated time and one picture.\n");
+}
+
+void Run(const Options& options) {
+  json rows = json::array();
+  for (const std::string& task : options.tasks) rows.push_back(Row(task, options));
+  Print(rows);
+  if (options.json_file.empty()) return;
+  std::ofstream out(options.json_file);
+  out << json{{"rows", rows}}.dump(2) << '\n';
+  if (!out) throw std::runtime_error("cannot write " + options.json_file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("How fast each world runs on one core, and where its time goes");
+  Options options;
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+    Run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "prospect bench sim: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "prospect bench sim: " << error.what() << '\n';
+    return 13;
+  }
+  return 0;
+}

@@ -1,0 +1,40 @@
+#include "tools/dataset/action_table.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "sim/task_factory.h"
+
+namespace prospect::tools {
+
+ActionTable::ActionTable(const model::Trial& trial) {
+  try {
+    const auto task = sim::MakeTask(trial.task);
+    char hash[17];
+    std::snprintf(hash, sizeof hash, "%016llx",
+                  static_cast<unsigned long long>(task->spec().Hash()));
+    if (trial.task_hash != hash) return;
+    for (const sim::ActionSpec& action : task->spec().actions) names_.push_back(action.name);
+    successors_ = task->spec().successors;
+  } catch (const std::invalid_argument&) {
+    // Somebody else's task: numbers will do.
+  }
+}
+
+std::string ActionTable::Name(int action) const {
+  const auto index = static_cast<std::size_t>(action);
+  return index < names_.size() ? names_[index] : "action " + std::to_string(action);
+}
+
+bool ActionTable::HasRetry(const model::Trial& trial) const {
+  if (successors_.empty()) return false;
+  int before = trial.null_action();
+  for (std::size_t i = 1; i < trial.actions.size(); ++i) {
+    if (trial.segment[i] == trial.segment[i - 1]) continue;
+    if (trial.segment[i] > 0 && sim::IsRetry(successors_, before, trial.actions[i])) return true;
+    before = trial.actions[i];
+  }
+  return false;
+}
+
+}  // namespace prospect::tools

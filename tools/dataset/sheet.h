@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model/dataset.h"
+#include "sim/image.h"
+
+namespace prospect::tools {
+
+// A contact sheet: `rows` trials drawn at random by `seed`, a row each with the first picture of
+// every segment and the trial's last; the action's name under each, the verdict under the last.
+// Throws model::DataError if the file has no trials.
+sim::Image ContactSheet(const model::TrialFile& file, std::size_t rows, std::uint64_t seed);
+
+}  // namespace prospect::tools

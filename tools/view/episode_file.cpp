@@ -1,0 +1,26 @@
+#include "tools/view/episode_file.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace prospect::tools {
+
+CarriedOut ReadEpisodeResult(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw std::invalid_argument("cannot read " + path);
+  try {
+    const nlohmann::json result = nlohmann::json::parse(in);
+    CarriedOut episode;
+    result.at("task").get_to(episode.task);
+    result.at("seed").get_to(episode.seed);
+    result.at("objects").get_to(episode.objects);
+    result.at("plan_length").get_to(episode.plan_length);
+    for (const auto& act : result.at("acts")) episode.actions.push_back(act.at("action"));
+    return episode;
+  } catch (const nlohmann::json::exception&) {
+    throw std::invalid_argument(path + " is not the result.json of an episode");
+  }
+}
+
+}  // namespace prospect::tools

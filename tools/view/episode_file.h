@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace prospect::tools {
+
+// What a result.json says was carried out.
+struct CarriedOut {
+  std::string task;
+  std::uint64_t seed = 0;
+  int objects = 0;      // navigation: objects on the site
+  int plan_length = 0;  // actions in a complete plan
+  std::vector<int> actions;
+};
+
+// Throws std::invalid_argument, naming the file, if it cannot be read or is no result of an
+// episode.
+CarriedOut ReadEpisodeResult(const std::string& path);
+
+}  // namespace prospect::tools
