@@ -15,83 +15,52 @@ has_multicast_route() {
   case "$BUS" in udpm://*) ip route get "$host" >/dev/null 2>&1 ;; *) true ;; esac
 }
 
-# The faults in $CHAOS for the process of this number: seeds move on, so that processes do not all miss the same messages.
-chaos_for() {
-  local text=${CHAOS:-} rest=
-  while [[ $text =~ ^(.*)seed=([0-9]+)(.*)$ ]]; do
-    text=${BASH_REMATCH[1]}
-    rest="seed=$((BASH_REMATCH[2] + $1))${BASH_REMATCH[3]}$rest"
-  done
-  printf '%s' "$text$rest"
-}
+# Whether the supervisor of this deployment still lives.
+deployment_alive() { [ -r "$STATE/supervisor.pid" ] && kill -0 "$(cat "$STATE/supervisor.pid")" 2>/dev/null; }
 
-# start_service NAME PROGRAM ARGS...: in the background, one log a service, its process id in the state folder.
-start_service() {
-  local name=$1
-  shift
-  setsid "$@" >"$LOGS/$name.log" 2>&1 </dev/null &
-  echo "$!" >"$STATE/$name.pid"
-}
-
-# Whether any process of this deployment still lives.
-deployment_alive() {
-  local file
-  for file in "$STATE"/*.pid; do
-    [ -e "$file" ] && kill -0 "$(cat "$file")" 2>/dev/null && return 0
-  done
-  return 1
-}
-
-# up TASK WORKERS WEIGHTS [simulator arguments]: starts every service of a deployment.
+# start_deployment TASK WORKERS WEIGHTS [simulator arguments]: a supervisor, which starts every service and keeps it running.
+# With FOREGROUND=1 it takes this shell's place and Ctrl-C stops everything.
 start_deployment() {
-  local task=$1 workers=$2 weights=$3 i
+  local task=$1 workers=$2 weights=$3
   shift 3
   STATE=$(state_dir) LOGS=${LOGS:-$STATE/logs}
-  mkdir -p "$STATE" "$LOGS"
+  mkdir -p "$STATE" "$LOGS" || die 13 "cannot write to $STATE or $LOGS"
   deployment_alive && die 12 "A deployment of yours is already up on this bus: ./prospect down, or another port with --bus"
-  rm -f "$STATE"/*.pid
+  rm -f "$STATE"/services.json "$STATE/workers" "$LOGS"/*.log
   PROSPECT_DEPLOYMENT=$(od -An -N7 -tu8 /dev/urandom | tr -d ' ')
   export PROSPECT_DEPLOYMENT
   printf '%s\n' "$PROSPECT_DEPLOYMENT" >"$STATE/deployment"
   printf '%s\n' "$task" >"$STATE/task"
-  start_service model "$BIN/prospect-model-server" --bus "$BUS" --chaos "$(chaos_for 1)" --weights "$weights"
-  start_service simulator "$BIN/prospect-simulator" --bus "$BUS" --chaos "$(chaos_for 2)" --task "$task" "$@"
-  for ((i = 1; i <= workers; ++i)); do
-    start_service "worker-$i" "$BIN/prospect-worker" --bus "$BUS" --chaos "$(chaos_for $((i + 2)))"
-  done
+  set -- "$BIN/prospect-supervisor" --bus "$BUS" --chaos "${CHAOS:-}" --task "$task" --weights "$weights" --workers "$workers" \
+    --state "$STATE" --logs "$LOGS" -- "$@"
+  if [ -n "${FOREGROUND:-}" ]; then
+    echo "$$" >"$STATE/supervisor.pid"
+    exec "$@"
+  fi
+  setsid "$@" >"$LOGS/supervisor.log" 2>&1 </dev/null &
+  echo "$!" >"$STATE/supervisor.pid"
 }
 
-# After an episode that missed a service: names the services of this shell that ended on their own, with their last words, and
-# returns the first one's exit status (0: none did).
+# After an episode that missed a service: names the services that the supervisor gave up, with their last words, and returns the
+# first one's exit status (0: none was given up).
 dead_service_status() {
-  local file name status first=0
-  for file in "$STATE"/*.pid; do
-    kill -0 "$(cat "$file")" 2>/dev/null && continue
-    wait "$(cat "$file")"
-    status=$?
-    name=$(basename "$file" .pid)
-    say "prospect: $name ended: $(tail -n 1 "$LOGS/$name.log")"
+  local line status first=0
+  while IFS=$'\t' read -r name status line; do
+    say "prospect: $name ended: $line"
     [ "$first" = 0 ] && first=$status
-  done
+  done < <(cat "$STATE/given_up" 2>/dev/null)
   return "$first"
 }
 
-# Stops every process: a polite signal first, a hard one after five seconds.
+# Stops every process: the supervisor does it, politely first, within five seconds.
 stop_deployment() {
-  local file pid waited=0
+  local waited=0
   STATE=$(state_dir)
-  for file in "$STATE"/*.pid; do
-    [ -e "$file" ] && kill -TERM "$(cat "$file")" 2>/dev/null
-  done
-  while deployment_alive && [ "$waited" -lt 50 ]; do
+  deployment_alive && kill -TERM "$(cat "$STATE/supervisor.pid")"
+  while deployment_alive && [ "$waited" -lt 80 ]; do
     sleep 0.1
     waited=$((waited + 1))
   done
-  for file in "$STATE"/*.pid; do
-    [ -e "$file" ] || continue
-    pid=$(cat "$file")
-    kill -0 "$pid" 2>/dev/null && kill -KILL "$pid" 2>/dev/null
-    rm -f "$file"
-  done
-  rm -f "$STATE/deployment" "$STATE/task"
+  deployment_alive && kill -KILL "$(cat "$STATE/supervisor.pid")"  # its children hear of its death
+  rm -f "$STATE"/{supervisor.pid,deployment,task,services.json,workers,given_up}
 }

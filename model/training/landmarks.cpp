@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kRare = 4.0;  // logit of a landmark in any one of some 60 cells
 
+constexpr float kNotKnown = -1.0F;  // in a map: nobody says whether the landmark is there
+
 struct Point {
   float u, v;
 };
@@ -57,6 +59,7 @@ torch::Tensor LandmarkMaps(const SampleSet& samples, const std::vector<int>& slo
   for (std::size_t i = 0; i < slots.size(); ++i) {
     for (std::size_t k = 0; k < count; ++k, out += height * width) {
       const float* uv = &samples.landmarks[(static_cast<std::size_t>(slots[i]) * count + k) * 2];
+      if (std::isinf(uv[0])) std::fill_n(out, height * width, kNotKnown);
       if (std::isfinite(uv[0])) Splat(Turned({uv[0], uv[1]}, turns[i]), height, width, out);
     }
   }
@@ -64,7 +67,8 @@ torch::Tensor LandmarkMaps(const SampleSet& samples, const std::vector<int>& slo
 }
 
 torch::Tensor LandmarkLoss(const torch::Tensor& logits, const torch::Tensor& maps) {
-  return torch::binary_cross_entropy_with_logits(logits, maps, {}, {}, at::Reduction::None)
+  const torch::Tensor known = maps.ge(0).to(maps.scalar_type());
+  return torch::binary_cross_entropy_with_logits(logits, maps, known, {}, at::Reduction::None)
       .mean({1, 2, 3});
 }
 

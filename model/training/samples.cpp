@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "model/training/random.h"
@@ -12,6 +13,8 @@ namespace {
 constexpr double kUnsureSeconds =
     0.3;  // frames nearer to an action's end are neither done nor not done
 constexpr std::uint64_t kMidStream = 0x6d6964;  // "mid"
+
+constexpr float kUnknown = std::numeric_limits<float>::infinity();
 
 /// Gives each frame of one trial its slot, once.
 class Slots {
@@ -27,6 +30,11 @@ class Slots {
  private:
   void Add(int frame) {
     set_->frames.push_back({number_, frame});
+    if (trial_.num_landmarks == 0) {
+      set_->landmarks.insert(set_->landmarks.end(),
+                             static_cast<std::size_t>(set_->num_landmarks) * 2, kUnknown);
+      return;
+    }
     const auto begin = trial_.landmarks.begin() + frame * trial_.num_landmarks * 2;
     set_->landmarks.insert(set_->landmarks.end(), begin, begin + trial_.num_landmarks * 2);
   }
@@ -69,11 +77,18 @@ std::vector<int> ChooseMids(const Trial& trial, const Span& span, int count) {
 void RequireSameKind(const Trial& trial, const SampleSet& set) {
   if (trial.task != set.task || trial.task_hash != set.task_hash || trial.width != set.width ||
       trial.height != set.height || trial.num_actions != set.num_actions ||
-      trial.num_landmarks != set.num_landmarks) {
+      (trial.num_landmarks > 0 && trial.num_landmarks != set.num_landmarks)) {
     throw DataError(
         "trial of seed " + std::to_string(trial.seed) +
         ": another task, action table, number of landmarks or picture size than the first trial's");
   }
+}
+
+/// Trials of a real robot say nothing of landmarks and may come before those that do.
+void AllowLandmarks(int count, SampleSet* set) {
+  if (set->num_landmarks > 0 || count == 0) return;
+  set->num_landmarks = count;
+  set->landmarks.assign(set->frames.size() * static_cast<std::size_t>(count) * 2, kUnknown);
 }
 
 template <typename Items, typename SplitOfItem>
@@ -115,8 +130,8 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
     set->width = trial.width;
     set->height = trial.height;
     set->num_actions = trial.num_actions;
-    set->num_landmarks = trial.num_landmarks;
   }
+  AllowLandmarks(trial.num_landmarks, set);
   RequireSameKind(trial, *set);
   const int number = static_cast<int>(set->trials.size());
   Slots slots(trial, number, set);

@@ -44,8 +44,10 @@ struct TrialSample {
 struct SampleSet {
   std::string task, world_version, task_hash;
   int width = 0, height = 0, num_actions = 0;
-  int num_landmarks = 0;         ///< K; 0: the data set does not say where things are
-  std::vector<float> landmarks;  ///< frames x K x 2, as Trial::landmarks
+  int num_landmarks = 0;  ///< K; 0: the data set does not say where things are
+  /// frames x K x 2, as Trial::landmarks; infinite in frames of trials that do not say where things
+  /// are
+  std::vector<float> landmarks;
   std::vector<TrialSample> trials;
   std::vector<SegmentSample> segments;
   std::vector<FrameRef> frames;

@@ -64,6 +64,16 @@ SampleSet ReadSamplesOfTask(const TrialFile& file, const TrainConfig& config,
   return samples;
 }
 
+/// Said before hours of training rather than after them.
+void RequireEveryPart(const TrialFile& file, const SampleSet& samples) {
+  for (const Split split : {Split::kTrain, Split::kValid, Split::kTest}) {
+    if (!samples.TrialsOf(split).empty()) continue;
+    throw DataError(file.path() + ": none of its " + std::to_string(file.size()) +
+                    " trials is in the " + SplitName(split) +
+                    " part, which is a function of a trial's seed: add trials of other seeds");
+  }
+}
+
 ProgressFn ProgressOf(const std::string& what) {
   auto line = std::make_shared<ProgressLine>(what);
   return [line](std::int64_t done, std::int64_t total) { line->Show(done, total); };
@@ -100,6 +110,7 @@ struct Trainer::Impl {
         pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
         context{config, samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
                 {}} {
+    if (options.stages.empty()) RequireEveryPart(file, samples);
     if (config.landmark_weight > 0 && samples.num_landmarks > 0) {
       context.landmarks = LandmarkReadout(c.network.hidden_channels, samples.num_landmarks,
                                           LandmarkReadoutImpl::kHiddenScale);

@@ -1,7 +1,10 @@
 // prospect-bus: looks at the bus from a terminal.
 //   prospect-bus check --seconds S [--json FILE]   lists channels, types, rates and what could not
 //   be decoded
+//   prospect-bus wait --services LIST              returns when they are there and ready
+//   prospect-bus status [--watch] [--json FILE]    every process: its state, age, queue, restarts
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <iostream>
 
 #include "services/common/bus.h"
@@ -12,6 +15,7 @@
 #include "services/common/signals.h"
 #include "services/spy/bus_survey.h"
 #include "services/spy/service_wait.h"
+#include "services/spy/status.h"
 
 namespace prospect::services {
 namespace {
@@ -26,6 +30,14 @@ struct WaitOptions {
   CommonOptions common;
   std::string services;
   double seconds = 20;
+};
+
+struct StatusOptions {
+  CommonOptions common;
+  std::string services_file;
+  std::string json;
+  double seconds = 1.2;  // a little more than the time between two signs of life
+  bool watch = false;
 };
 
 // Listens until the time is over or a signal comes. Returns the seconds listened.
@@ -60,6 +72,42 @@ int Wait(const WaitOptions& options) {
   return kExitSuccess;
 }
 
+// What the supervisor on this machine wrote; null without one.
+nlohmann::json ReadServices(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return nullptr;
+  nlohmann::json services = nlohmann::json::parse(in, nullptr, false);
+  return services.is_discarded() ? nlohmann::json() : services;
+}
+
+int Status(const StatusOptions& options) {
+  ApplyCommonOptions(options.common, "status");
+  Bus bus(options.common.bus);
+  HealthMonitor monitor(bus);
+  std::vector<StatusRow> rows;
+  do {
+    Listen(bus, options.seconds);
+    rows = StatusRows(monitor.Alive(), ReadServices(options.services_file), SteadyMs());
+    if (options.watch) std::cout << "\033[H\033[2J";  // the table takes the screen's place
+    PrintStatus(rows, std::cout);
+    std::cout.flush();
+  } while (options.watch && !StopRequested());
+  if (!options.json.empty()) WriteJsonFile(options.json, StatusJson(rows));
+  return AllWell(rows) || options.watch ? kExitSuccess : kExitServiceLost;
+}
+
+CLI::App* AddStatus(CLI::App& app, StatusOptions& options) {
+  CLI::App* status = app.add_subcommand("status", "every process: state, age, queue, restarts");
+  AddCommonOptions(*status, options.common);
+  status->add_option("--services-file", options.services_file, "a supervisor's services.json");
+  status->add_option("--seconds", options.seconds, "how long to listen")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  status->add_flag("--watch", options.watch, "again and again, until Ctrl-C");
+  status->add_option("--json", options.json, "also write the table to this file");
+  return status;
+}
+
 CLI::App* AddCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check =
       app.add_subcommand("check", "list channels, types, rates and what could not be decoded");
@@ -86,13 +134,16 @@ int Run(int argc, char** argv) {
   app.require_subcommand(1);
   CheckOptions check_options;
   WaitOptions wait_options;
+  StatusOptions status_options;
   const CLI::App* check = AddCheck(app, check_options);
+  const CLI::App* status = AddStatus(app, status_options);
   AddWait(app, wait_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  if (status->parsed()) return Status(status_options);
   return check->parsed() ? Check(check_options) : Wait(wait_options);
 }
 

@@ -82,6 +82,37 @@ TEST(Samples, LandmarksAreThoseOfTheirFrames) {
   }
 }
 
+TEST(Samples, TrialsWithAndWithoutLandmarksMayBeMixed) {
+  Trial silent = MadeTrial(5);
+  silent.num_landmarks = 0;
+  silent.landmarks.clear();
+  const Trial telling = MadeTrial(4);
+  ASSERT_GT(telling.num_landmarks, 0);
+  for (const bool silent_first : {true, false}) {
+    SampleSet set;
+    AddTrial(silent_first ? silent : telling, 0, 1, &set);
+    AddTrial(silent_first ? telling : silent, 1, 1, &set);
+    ASSERT_EQ(set.num_landmarks, telling.num_landmarks);
+    const auto row = static_cast<std::size_t>(set.num_landmarks) * 2;
+    ASSERT_EQ(set.landmarks.size(), set.frames.size() * row);
+    for (std::size_t slot = 0; slot < set.frames.size(); ++slot) {
+      const bool says = (set.frames[slot].trial == 0) != silent_first;
+      EXPECT_NE(std::isinf(set.landmarks[slot * row]), says) << slot;
+    }
+  }
+}
+
+TEST(LandmarkLoss, AsksNothingWhereNothingIsKnown) {
+  const float infinite = std::numeric_limits<float>::infinity();
+  const SampleSet set = FrameWith({infinite, infinite});
+  const torch::Tensor map = LandmarkMaps(set, {0}, {0}, 4, 4);
+  const torch::Tensor logits = torch::randn({1, 1, 4, 4}).requires_grad_(true);
+  const torch::Tensor loss = LandmarkLoss(logits, map).sum();
+  EXPECT_EQ(loss.item<float>(), 0.0F);
+  loss.backward();
+  EXPECT_EQ(logits.grad().abs().sum().item<float>(), 0.0F);
+}
+
 TEST(LightGain, FindsTheFactorWhateverThePictureIs) {
   const torch::Tensor decoded = torch::rand({3, 3, 8, 8});
   const torch::Tensor light = torch::tensor({0.9F, 1.0F, 1.1F}).view({3, 1, 1, 1});

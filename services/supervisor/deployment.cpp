@@ -1,0 +1,52 @@
+#include "services/supervisor/deployment.h"
+
+#include <regex>
+
+namespace prospect::services {
+namespace {
+
+// The executive has the seeds as they are.
+constexpr int kModelSeed = 1, kSimulatorSeed = 2, kWorkerSeed = 2;
+
+std::vector<std::string> Command(const DeploymentSpec& deployment, const std::string& program,
+                                 int seed_steps) {
+  std::vector<std::string> command{deployment.programs + "/" + program, "--bus", deployment.bus};
+  if (!deployment.chaos.empty()) {
+    command.insert(command.end(), {"--chaos", MoveSeeds(deployment.chaos, seed_steps)});
+  }
+  return command;
+}
+
+}  // namespace
+
+std::string MoveSeeds(const std::string& chaos, int steps) {
+  static const std::regex seed("seed=([0-9]{1,9})");
+  std::string moved;
+  auto at = chaos.begin();
+  for (std::sregex_iterator it(chaos.begin(), chaos.end(), seed), end; it != end; ++it) {
+    moved.append(at, chaos.begin() + it->position());
+    moved += "seed=" + std::to_string(std::stol((*it)[1]) + steps);
+    at = chaos.begin() + it->position() + it->length();
+  }
+  return moved.append(at, chaos.end());
+}
+
+ServiceSpec ModelSpec(const DeploymentSpec& deployment) {
+  ServiceSpec spec{"model", Command(deployment, "prospect-model-server", kModelSeed)};
+  spec.command.insert(spec.command.end(), {"--weights", deployment.weights});
+  return spec;
+}
+
+ServiceSpec SimulatorSpec(const DeploymentSpec& deployment) {
+  ServiceSpec spec{"simulator", Command(deployment, "prospect-simulator", kSimulatorSeed)};
+  spec.command.insert(spec.command.end(), {"--task", deployment.task});
+  spec.command.insert(spec.command.end(), deployment.scene.begin(), deployment.scene.end());
+  return spec;
+}
+
+ServiceSpec WorkerSpec(const DeploymentSpec& deployment, int number) {
+  return {"worker-" + std::to_string(number),
+          Command(deployment, "prospect-worker", kWorkerSeed + number)};
+}
+
+}  // namespace prospect::services

@@ -1,0 +1,168 @@
+// What `up` starts keeps running, and nothing is left when it goes.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/integration/support/deployment.h"
+
+namespace prospect::tests {
+namespace {
+
+using nlohmann::json;
+
+// A zombie that nobody has waited for yet is dead, too.
+bool IsAlive(int pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string text;
+  if (!std::getline(stat, text)) return false;
+  const std::size_t name_end = text.rfind(')');
+  return name_end != std::string::npos && text.at(name_end + 2) != 'Z';
+}
+
+class Supervision : public testing::Test {
+ protected:
+  Supervision()
+      : folder(MakeFolder(std::string("supervision_") +
+                          testing::UnitTest::GetInstance()->current_test_info()->name())) {}
+
+  Process Start(const std::string& weights = "scripted:7") {
+    return Process("prospect-supervisor",
+                   {"--bus", witness.bus.url(), "--task", "navigation", "--weights", weights,
+                    "--workers", "2", "--state", folder, "--logs", folder, "--", "--objects", "7"},
+                   folder + "/supervisor.log");
+  }
+
+  // Service name -> what services.json says of it.
+  std::map<std::string, json> Services() const {
+    std::map<std::string, json> services;
+    const json file = json::parse(ReadText(folder + "/services.json"), nullptr, false);
+    if (file.is_discarded()) return services;
+    for (const json& service : file.at("services")) services[service.at("name")] = service;
+    return services;
+  }
+
+  bool AllReady(int workers) {
+    return witness.Until(
+        [&] {
+          return witness.Ready("simulator", 1) && witness.Ready("model", 1) &&
+                 witness.Ready("worker", workers);
+        },
+        20000);
+  }
+
+  std::vector<int> Pids() const {
+    std::vector<int> pids;
+    for (const auto& [name, service] : Services()) pids.push_back(service.at("pid"));
+    return pids;
+  }
+
+  bool AllGone(const std::vector<int>& pids) {
+    return witness.Until(
+        [&] {
+          for (const int pid : pids) {
+            if (IsAlive(pid)) return false;
+          }
+          return true;
+        },
+        10000);
+  }
+
+  Witness witness;
+  const std::string folder;
+};
+
+TEST_F(Supervision, StartsAgainWhatWasKilled) {
+  Process supervisor = Start();
+  ASSERT_TRUE(AllReady(2));
+  for (const char* name : {"worker-1", "model", "simulator"}) {
+    const int before = Services().at(name).at("pid");
+    kill(before, SIGKILL);
+    const auto back = [&] {
+      const auto services = Services();
+      return services.count(name) > 0 && services.at(name).at("restarts") == 1 &&
+             services.at(name).at("pid") != before && services.at(name).at("state") == "running";
+    };
+    EXPECT_TRUE(witness.Until(back, 10000)) << name;
+    EXPECT_EQ(Services().at(name).at("last_exit"), 128 + SIGKILL);
+  }
+  const auto ready_again = [&] {
+    std::map<std::string, int> ready;
+    for (const auto& [name, service] : Services()) {
+      for (const auto& [id, health] : witness.health) {
+        if (health.pid == service.at("pid") && health.state == health_t::STATE_READY) ++ready[name];
+      }
+    }
+    return ready.size() == 4;
+  };
+  EXPECT_TRUE(witness.Until(ready_again, 10000));
+}
+
+TEST_F(Supervision, MoreAndFewerWorkersWhileRunning) {
+  Process supervisor = Start();
+  ASSERT_TRUE(AllReady(2));
+  std::ofstream(folder + "/workers") << "4\n";
+  supervisor.Signal(SIGHUP);
+  EXPECT_TRUE(AllReady(4));
+  std::ofstream(folder + "/workers") << "1\n";
+  supervisor.Signal(SIGHUP);
+  EXPECT_TRUE(witness.Until([&] { return Services().size() == 3; }, 10000));
+  EXPECT_EQ(Services().count("worker-1"), 1u) << "the newest go first";
+}
+
+TEST_F(Supervision, StopsEverythingWhenAsked) {
+  Process supervisor = Start();
+  ASSERT_TRUE(AllReady(2));
+  const std::vector<int> pids = Pids();
+  ASSERT_EQ(pids.size(), 4u);
+  supervisor.Signal(SIGINT);
+  int code = -1;
+  EXPECT_TRUE(witness.Until([&] { return (code = supervisor.Wait(0)) >= 0; }, 8000));
+  EXPECT_EQ(code, 0);
+  EXPECT_TRUE(AllGone(pids));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/services.json"));
+}
+
+TEST_F(Supervision, LeavesNoOrphansWhenKilled) {
+  Process supervisor = Start();
+  ASSERT_TRUE(AllReady(2));
+  const std::vector<int> pids = Pids();
+  supervisor.Signal(SIGKILL);
+  EXPECT_TRUE(AllGone(pids));
+}
+
+TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
+  Process supervisor = Start("/no/such/weights.safetensors");
+  const auto given_up = [&] {
+    const auto services = Services();
+    return services.count("model") > 0 && services.at("model").at("state") == "given_up";
+  };
+  ASSERT_TRUE(witness.Until(given_up, 10000));
+  const json model = Services().at("model");
+  EXPECT_EQ(model.at("last_exit"), 10);
+  EXPECT_EQ(model.at("restarts"), 0);
+  EXPECT_NE(model.at("last_words").get<std::string>().find("/no/such/weights"), std::string::npos);
+  EXPECT_NE(ReadText(folder + "/given_up").find("model\t10\t"), std::string::npos);
+
+  Process status("prospect-bus",
+                 {"status", "--bus", witness.bus.url(), "--services-file",
+                  folder + "/services.json", "--json", folder + "/status.json"},
+                 folder + "/status.log");
+  ASSERT_TRUE(witness.Until([&] { return !status.Running(); }, 10000));
+  EXPECT_EQ(status.Wait(0), 15);
+  const json rows = json::parse(ReadText(folder + "/status.json")).at("rows");
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].at("name"), "model");
+  EXPECT_EQ(rows[0].at("state"), "given up");
+  EXPECT_EQ(rows[1].at("name"), "simulator");
+  EXPECT_EQ(rows[1].at("well"), true);
+}
+
+}  // namespace
+}  // namespace prospect::tests
