@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "services/common/common_options.h"
@@ -22,6 +23,7 @@ struct Options {
   ModelServerOptions server;
   EngineChoice engine;
   int cache_mb = 64;
+  bool check = false;
 };
 
 void AddOptions(CLI::App& app, Options& options) {
@@ -48,6 +50,7 @@ void AddOptions(CLI::App& app, Options& options) {
   app.add_option("--cache-mb", options.cache_mb, "hidden states of one search, MB")
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();
+  app.add_flag("--check", options.check, "load the weights, say what they are, and end");
   app.add_option("--queue", options.server.queue_paths, "paths that may wait before BUSY")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -66,6 +69,12 @@ int Run(int argc, char** argv) {
   options.server.cache_bytes = static_cast<std::size_t>(options.cache_mb) << 20;
 
   const auto engine = MakeEngine(options.engine);
+  if (options.check) {
+    const auto& info = engine->info();
+    std::printf("%s: %s, %d actions, pictures of %dx%d\n", options.engine.weights.c_str(),
+                info.task.c_str(), info.num_actions, info.image_width, info.image_height);
+    return kExitSuccess;
+  }
   Bus bus(options.common.bus);
   HealthMonitor monitor(bus);
   ModelServer server(bus, *engine, options.server);

@@ -4,12 +4,15 @@
 //   prospect-bus wait --services LIST              returns when they are there and ready
 //   prospect-bus status [--watch] [--json FILE]    every process: its state, age, queue, restarts
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/common_options.h"
+#include "services/common/health.h"
+#include "services/common/health_monitor.h"
 #include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
@@ -108,6 +111,31 @@ CLI::App* AddStatus(CLI::App& app, StatusOptions& options) {
   return status;
 }
 
+// A message to itself, by the way that all messages take; then listens for other deployments.
+int Probe(const CommonOptions& options) {
+  ApplyCommonOptions(options, "probe");
+  Bus bus(options.bus);
+  HealthMonitor monitor(bus);
+  HealthBeacon beacon(bus, "probe");
+  const std::int64_t start_ms = SteadyMs();
+  while (monitor.Find(beacon.instance_id()) == nullptr) {
+    if (SteadyMs() - start_ms > 3000) {
+      throw ExitError(kExitBus,
+                      "a message sent on " + bus.url() +
+                          " did not come back: a firewall, or an interface without multicast");
+    }
+    beacon.Tick();
+    bus.Poll(50);
+  }
+  const std::int64_t round_ms = SteadyMs() - start_ms;
+  monitor.RequireOwnBus();
+  std::printf("a message came back after %lld ms; %zu processes of a deployment are there\n",
+              static_cast<long long>(round_ms), monitor.Alive().size() - 1);
+  beacon.SetState(health_t::STATE_DRAINING);
+  beacon.PublishNow();
+  return kExitSuccess;
+}
+
 CLI::App* AddCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check =
       app.add_subcommand("check", "list channels, types, rates and what could not be decoded");
@@ -138,11 +166,16 @@ int Run(int argc, char** argv) {
   const CLI::App* check = AddCheck(app, check_options);
   const CLI::App* status = AddStatus(app, status_options);
   AddWait(app, wait_options);
+  CommonOptions probe_options;
+  const CLI::App* probe =
+      app.add_subcommand("probe", "does a message come back, and is the bus free");
+  AddCommonOptions(*app.get_subcommand("probe"), probe_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  if (probe->parsed()) return Probe(probe_options);
   if (status->parsed()) return Status(status_options);
   return check->parsed() ? Check(check_options) : Wait(wait_options);
 }
