@@ -57,12 +57,9 @@ std::string CheckedWorldVersion(const CollectOptions& options) {
 
 // What the parts of one folder have in common.
 json Manifest(const CollectOptions& options) {
-  return {{"task", options.task},
-          {"world_version", CheckedWorldVersion(options)},
-          {"objects", options.objects},
-          {"legs", options.legs},
-          {"tower", options.tower},
-          {"image_noise", options.image_noise}};
+  return {{"task", options.task},       {"world_version", CheckedWorldVersion(options)},
+          {"objects", options.objects}, {"legs", options.legs},
+          {"tower", options.tower},     {"image_noise", options.image_noise}};
 }
 
 void PrepareParts(const CollectOptions& options) {
@@ -143,6 +140,11 @@ void Add(const json& line, CollectSummary* summary) {
   }
 }
 
+std::string SuccessShare(const CollectSummary& summary) {
+  return std::to_string((100 * summary.successes + summary.trials / 2) / summary.trials) +
+         " % succeeded";
+}
+
 void Pack(const CollectOptions& options) {
   std::vector<std::string> parts;
   for (int i = 0; i < options.trials; ++i) parts.push_back(PartPath(options, options.seed + i));
@@ -181,7 +183,7 @@ CollectSummary Collect(const CollectOptions& options) {
       options.trials, options.jobs, [&] { return MakeWorker(options); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &summary);
-        progress.Step();
+        progress.Step(SuccessShare(summary));
       });
   Pack(options);
   summary.wall_seconds =

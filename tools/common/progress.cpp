@@ -18,20 +18,26 @@ Progress::~Progress() {
   if (terminal_ && done_ > 0) std::fputc('\n', stderr);
 }
 
-void Progress::Step() {
+void Progress::Step(const std::string& note) {
   ++done_;
   const auto now = std::chrono::steady_clock::now();
   const auto period = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(30000);
   if (now - printed_ < period && done_ != total_) return;
   printed_ = now;
-  Print();
+  Print(note);
 }
 
-void Progress::Print() {
+void Progress::Print(const std::string& note) {
+  constexpr int kBar = 24;
   const double elapsed = std::chrono::duration<double>(printed_ - start_).count();
   const int left = static_cast<int>(elapsed / done_ * (total_ - done_));
-  std::fprintf(stderr, "%s%d of %d %s, %d:%02d left%s", terminal_ ? "\r" : "", done_, total_,
-               what_.c_str(), left / 60, left % 60, terminal_ ? "   " : "\n");
+  if (terminal_) {
+    const auto full = static_cast<std::size_t>(static_cast<long>(kBar) * done_ / total_);
+    std::fprintf(stderr, "\r[%s%s] ", std::string(full, '#').c_str(),
+                 std::string(kBar - full, '.').c_str());
+  }
+  std::fprintf(stderr, "%d of %d %s, %d:%02d left%s%s%s", done_, total_, what_.c_str(), left / 60,
+               left % 60, note.empty() ? "" : ", ", note.c_str(), terminal_ ? "   " : "\n");
 }
 
 }  // namespace prospect::tools

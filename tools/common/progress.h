@@ -5,8 +5,8 @@
 
 namespace prospect::tools {
 
-// A progress line with the time left, on standard error: rewritten in place on a terminal, every 30
-// seconds otherwise.
+// A progress bar with the time left, on standard error: rewritten in place on a terminal; otherwise
+// a line without the bar every 30 seconds.
 class Progress {
  public:
   // `what`: the counted things, plural; `total` > 0.
@@ -15,11 +15,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // One more is done.
-  void Step();
+  // One more is done. `note` is shown at the end of the line.
+  void Step(const std::string& note = "");
 
  private:
-  void Print();
+  void Print(const std::string& note);
 
   std::string what_;
   int total_;
