@@ -21,7 +21,7 @@ class BusView {
   /// alone.
   void Follow(std::int64_t episode_id);
   /// Takes whatever episode the next picture belongs to.
-  void FollowAny() { episode_id_ = -1; }
+  void FollowAny() { Follow(-1); }
 
   const std::optional<task_t>& task() const { return task_; }
   std::int64_t episode_id() const { return episode_id_; }

@@ -26,7 +26,8 @@ ObjectKind Barricade() {
   return kind;
 }
 
-// A traffic cone on a bright foot. Slanting faces look dark from above, so flat rings carry its colours.
+// A traffic cone on a bright foot. Slanting faces look dark from above, so flat rings carry its
+// colours.
 ObjectKind Pylon() {
   const Color orange(1.0f, 0.45f, 0.0f), white(1.0f, 1.0f, 0.98f);
   ObjectKind kind{"pylon", Footprint::Rectangle(0.56, 0.56), 0.75, {}};

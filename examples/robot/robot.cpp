@@ -1,0 +1,150 @@
+// A robot in the simulator's place, with nothing but LCM and the generated message types: a toy
+// rover among four things, seen from above. Put a camera into Look() and controllers into Drive().
+// Usage: example-robot [BUS-URL]; ./prospect check-robot tells whether a robot keeps to the rules.
+#include <chrono>
+#include <cmath>
+#include <lcm/lcm-cpp.hpp>
+#include <string>
+
+#include "prospect/action_command_t.hpp"
+#include "prospect/action_status_t.hpp"
+#include "prospect/health_t.hpp"
+#include "prospect/observation_t.hpp"
+#include "prospect/task_t.hpp"
+
+using namespace prospect;
+
+constexpr int kSide = 64, kHere = 4;
+constexpr std::int64_t kTick = 100'000, kSilent = 3'000'000, kLimit = 10'000'000;  // microseconds
+const char* const kThings[] = {"barrel", "barricade", "pylon", "block",
+                               "spool",  "generator", "cabin"};
+const double kWhere[kHere][2] = {{14, 50}, {50, 48}, {48, 14}, {16, 16}};  // pixels
+
+std::int64_t Now() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
+}
+
+class Robot {
+ public:
+  explicit Robot(const std::string& bus) : lcm_(bus) {
+    lcm_.subscribe("ACTION_COMMAND", &Robot::OnCommand, this);
+    lcm_.subscribe("HEALTH", &Robot::OnHealth, this);
+    status_.episode_id = start_ / 1'000'000;  // any number that names this episode
+    status_.action = -1;
+    status_.state = action_status_t::STATE_IDLE;
+  }
+
+  void Run() {
+    for (std::int64_t next = Now(); lcm_.handleTimeout(10) >= 0;) {
+      if (Now() < next) continue;
+      next += kTick;
+      Tick();
+    }
+  }
+
+ private:
+  bool running() const { return status_.state == action_status_t::STATE_RUNNING; }
+  // A command is carried out once, however often it arrives: the ids of an executive grow.
+  void OnCommand(const lcm::ReceiveBuffer*, const std::string&, const action_command_t* c) {
+    if (c->executive_id == status_.executive_id && c->command_id <= status_.command_id) return;
+    const bool start = c->kind == action_command_t::KIND_START;
+    std::string refusal;
+    if (start && (c->action < 0 || c->action >= kHere)) refusal = "there is no such thing here";
+    if (start && running()) refusal = "another action is running";
+    if (c->episode_id != status_.episode_id) refusal = "meant for another episode";
+    const action_status_t before = status_;
+    status_.executive_id = c->executive_id;
+    status_.command_id = c->command_id;
+    status_.reason = refusal;
+    if (start) status_.state = action_status_t::STATE_RUNNING;
+    if (!start && running()) status_.state = action_status_t::STATE_CANCELLED;
+    if (!refusal.empty()) status_.state = action_status_t::STATE_REFUSED;
+    if (start && refusal.empty()) status_.action = c->action, began_ = heard_ = Now();
+    Publish("ACTION_STATUS", &status_);
+    if (!refusal.empty() && before.state == action_status_t::STATE_RUNNING) status_ = before;
+  }
+
+  void OnHealth(const lcm::ReceiveBuffer*, const std::string&, const health_t* h) {
+    if (h->instance_id == status_.executive_id) heard_ = Now();
+  }
+
+  void Tick() {
+    if (running()) {
+      ++status_.frame;
+      if (!Drive()) status_.state = action_status_t::STATE_SUCCEEDED;
+      if (Now() - began_ > kLimit) status_.state = action_status_t::STATE_FAILED;
+      if (Now() - heard_ > kSilent) status_.state = action_status_t::STATE_CANCELLED;
+      Look();
+      Publish("ACTION_STATUS", &status_);  // at every change, and at least at 2 Hz
+    }
+    if (ticks_++ % 5 == 0) Publish("ACTION_STATUS", &status_);
+    if (ticks_ % 10 != 1) return;
+    Look();  // the last picture again
+    SayHealth();
+    SayTask();
+  }
+
+  bool Drive() {  // a step towards the thing; false once it is near
+    const double dx = kWhere[status_.action][0] - x_, dy = kWhere[status_.action][1] - y_;
+    const double away = std::hypot(dx, dy);
+    x_ += 0.45 * dx / away, y_ += 0.45 * dy / away;
+    return away > 10;
+  }
+
+  void Look() {
+    observation_t o{0, Now() - start_, status_.episode_id, status_.frame};
+    o.encoding = observation_t::ENCODING_RGB8;
+    o.width = o.height = kSide, o.num_bytes = kSide * kSide * 3;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const int x = i % kSide, y = i / kSide;
+      std::uint8_t grey = std::hypot(x - x_, y - y_) < 5 ? 60 : 150;
+      for (const auto& at : kWhere) grey = std::hypot(x - at[0], y - at[1]) < 4 ? 220 : grey;
+      o.data.insert(o.data.end(), 3, grey);
+    }
+    Publish("OBSERVATION", &o);
+  }
+
+  void SayHealth() {
+    health_t h{0, "simulator", start_};  // whose place it takes
+    h.state = health_t::STATE_READY;
+    Publish("HEALTH", &h);
+  }
+
+  void SayTask() {
+    task_t t{};
+    t.name = "navigation";
+    t.task_hash = 4711;  // any number that changes with the table
+    t.num_actions = t.num_initial = 7;
+    for (int i = 0; i < t.num_actions; ++i) {
+      t.actions.push_back({i, std::string("investigate(") + kThings[i] + ")", "investigate"});
+      t.actions[i].object = kThings[i];
+      t.actions[i].num_successors = t.num_actions;
+      t.initial.push_back(i);
+    }
+    for (action_t& action : t.actions) action.successors = t.initial;  // any may follow any
+    t.plan_length = 3;
+    t.image_width = t.image_height = kSide;
+    t.tick_seconds = 0.1;
+    t.action_time_limit = 10;
+    Publish("TASK", &t);
+  }
+
+  template <class T>
+  void Publish(const char* channel, T* message) {
+    message->utime = Now();
+    lcm_.publish(channel, message);
+  }
+
+  lcm::LCM lcm_;
+  const std::int64_t start_ = Now();
+  action_status_t status_{};
+  std::int64_t began_ = 0, heard_ = 0;
+  int ticks_ = 0;
+  double x_ = 32, y_ = 32;
+};
+
+int main(int argc, char** argv) {
+  Robot(argc > 1 ? argv[1] : "udpm://239.255.76.67:7667?ttl=0").Run();
+  return 11;
+}

@@ -1,0 +1,281 @@
+#include "services/check_robot/robot_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "services/common/clock.h"
+#include "services/common/signals.h"
+
+namespace prospect::services {
+namespace {
+
+constexpr double kNoticeSeconds = 3;
+
+std::string Number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
+}
+
+// What is wrong with an action table; empty: nothing.
+std::string TableDefect(const task_t& task) {
+  std::set<std::string> names;
+  for (int i = 0; i < task.num_actions; ++i) {
+    const action_t& action = task.actions[static_cast<std::size_t>(i)];
+    if (action.index != i) return "row " + std::to_string(i) + " has another index";
+    if (action.name.empty() || !names.insert(action.name).second) {
+      return "row " + std::to_string(i) + " has no name of its own";
+    }
+    for (const int next : action.successors) {
+      if (next < 0 || next >= task.num_actions) return action.name + " has an unknown successor";
+    }
+  }
+  if (task.initial.empty()) return "no action may come first";
+  return "";
+}
+
+}  // namespace
+
+RobotCheck::RobotCheck(Bus& bus) : bus_(bus), monitor_(bus), health_(bus, "executive") {
+  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
+  bus_.Subscribe<observation_t>([this](observation_t picture) {
+    picture.data.clear();
+    episode_id_ = picture.episode_id;
+    pictures_.push_back(std::move(picture));
+  });
+  bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
+    status_ = status;
+    status_ms_.push_back(SteadyMs());
+  });
+}
+
+bool RobotCheck::Until(const Condition& condition, double seconds, const Condition& repeat) {
+  const std::int64_t end_ms = SteadyMs() + static_cast<std::int64_t>(1000 * seconds);
+  std::int64_t repeat_ms = 0;
+  while (!condition()) {
+    if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");
+    if (SteadyMs() >= end_ms) return false;
+    if (repeat && SteadyMs() >= repeat_ms) {
+      repeat();
+      repeat_ms = SteadyMs() + 50;
+    }
+    if (!silent_) health_.Tick();
+    bus_.Poll(10);
+  }
+  return true;
+}
+
+void RobotCheck::Note(const std::string& rule, bool kept, const std::string& detail) {
+  using Verdict = RobotFinding::Verdict;
+  findings_.push_back({rule, kept ? Verdict::kOk : Verdict::kFault, detail});
+}
+
+void RobotCheck::NotTried(const std::string& rule, const std::string& why) {
+  findings_.push_back({rule, RobotFinding::Verdict::kNotTried, why});
+}
+
+std::vector<RobotFinding> RobotCheck::Run() {
+  findings_.clear();
+  health_.SetState(health_t::STATE_READY);
+  CheckTask();
+  if (!task_) return findings_;
+  CheckStillness();
+  CheckRefusals();
+  CheckAction();
+  CheckCancel();
+  CheckSilence();
+  return findings_;
+}
+
+void RobotCheck::CheckTask() {
+  const bool heard = Until([&] { return task_.has_value(); }, kNoticeSeconds);
+  Note("TASK is published at least every 3 s", heard);
+  const bool alive = Until([&] { return !monitor_.Alive("simulator").empty(); }, kNoticeSeconds);
+  Note("HEALTH says that a \"simulator\" lives", alive);
+  if (!heard) return;
+  const std::string defect = TableDefect(*task_);
+  Note("the action table is whole", defect.empty(),
+       defect.empty() ? std::to_string(task_->num_actions) + " actions" : defect);
+  Note("plan_length, tick_seconds and action_time_limit are positive",
+       task_->plan_length > 0 && task_->tick_seconds > 0 && task_->action_time_limit > 0);
+}
+
+// What a robot says while it holds still: the same picture again, and how it stands.
+void RobotCheck::CheckStillness() {
+  pictures_.clear();
+  status_ms_.clear();
+  const std::int64_t start_ms = SteadyMs();
+  Until([&] { return SteadyMs() - start_ms > 3200; }, 4);
+  Note("OBSERVATION is repeated at least every 1.5 s while nothing moves", pictures_.size() >= 2,
+       std::to_string(pictures_.size()) + " pictures in 3.2 s");
+  std::int64_t gap_ms = SteadyMs() - start_ms;
+  for (std::size_t i = 1; i < status_ms_.size(); ++i) {
+    gap_ms = std::max(i == 1 ? 0 : gap_ms, status_ms_[i] - status_ms_[i - 1]);
+  }
+  Note("ACTION_STATUS comes at 2 Hz", status_ms_.size() >= 2 && gap_ms <= 800,
+       "longest gap " + Number(static_cast<double>(gap_ms) / 1000) + " s");
+  if (pictures_.empty()) return;
+  const observation_t& picture = pictures_.back();
+  Note("pictures are of the size that TASK says",
+       picture.width == task_->image_width && picture.height == task_->image_height,
+       std::to_string(picture.width) + "x" + std::to_string(picture.height));
+  const bool same = std::all_of(pictures_.begin(), pictures_.end(),
+                                [&](const observation_t& o) { return o.frame == picture.frame; });
+  Note("a repeated picture keeps its frame number", same);
+}
+
+action_command_t RobotCheck::Command(std::int8_t kind, int action) {
+  action_command_t command{};
+  command.executive_id = health_.instance_id();
+  command.command_id = ++last_id_;
+  command.episode_id = episode_id_;
+  command.kind = kind;
+  command.action = action;
+  return command;
+}
+
+bool RobotCheck::Named(std::int64_t command_id) const {
+  return status_ && status_->executive_id == health_.instance_id() &&
+         status_->command_id == command_id;
+}
+
+bool RobotCheck::Running() const {
+  return status_ && status_->state == action_status_t::STATE_RUNNING;
+}
+
+// Repeats the command until a status names it, as an executive does.
+bool RobotCheck::Send(const action_command_t& command) {
+  return Until([&] { return Named(command.command_id); }, kNoticeSeconds,
+               [&] {
+                 action_command_t now = command;
+                 now.utime = UtimeNow();
+                 return bus_.Publish(now);
+               });
+}
+
+void RobotCheck::CheckRefusals() {
+  const auto refused = [&](const action_command_t& command) {
+    return Send(command) && status_->state == action_status_t::STATE_REFUSED &&
+           !status_->reason.empty();
+  };
+  Note("an action that is not in the table is refused, with a reason",
+       refused(Command(action_command_t::KIND_START, task_->num_actions)));
+  action_command_t elsewhere = Command(action_command_t::KIND_START, task_->initial.front());
+  elsewhere.episode_id += 1;
+  Note("a command for another episode is refused, with a reason", refused(elsewhere));
+}
+
+// Starts the first action that is not refused.
+bool RobotCheck::StartAny() {
+  for (const int action : task_->initial) {
+    if (!Send(Command(action_command_t::KIND_START, action))) return false;
+    if (status_->state == action_status_t::STATE_REFUSED) continue;
+    willing_ = action;
+    return true;
+  }
+  return false;
+}
+
+// A simulator may be asked for a scene in which actions are possible again; a robot ignores it.
+void RobotCheck::NewScene() {
+  const std::int64_t before = episode_id_;
+  sim_command_t reset{};
+  reset.sender_id = health_.instance_id();
+  reset.command_id = ++last_scene_;
+  reset.kind = sim_command_t::KIND_RESET;
+  reset.seed = before + 1;
+  const bool new_scene = Until([&] { return episode_id_ != before; }, 1.5,
+                               [&] {
+                                 reset.utime = UtimeNow();
+                                 return bus_.Publish(reset);
+                               });
+  if (new_scene) willing_ = -1;
+}
+
+// Starts actions until one still runs after a moment.
+bool RobotCheck::StartLasting() {
+  std::vector<int> order;
+  if (willing_ >= 0) order = task_->actions[static_cast<std::size_t>(willing_)].successors;
+  order.insert(order.end(), task_->initial.begin(), task_->initial.end());
+  for (const int action : order) {
+    if (!Send(Command(action_command_t::KIND_START, action))) return false;
+    if (status_->state == action_status_t::STATE_REFUSED) continue;
+    if (Until([&] { return !Running(); }, 0.4)) continue;
+    willing_ = action;
+    return true;
+  }
+  return false;
+}
+
+void RobotCheck::CheckAction() {
+  const bool started = StartAny();
+  Note("a START that fits is taken within 3 s", started);
+  if (!started) return;
+  pictures_.clear();
+  const std::int64_t id = last_id_;
+  if (Running()) {
+    action_command_t second = Command(action_command_t::KIND_START, willing_);
+    second.utime = UtimeNow();
+    bus_.Publish(second);
+  }
+  const double patience = 4 * task_->action_time_limit + 2;  // a simulator's clock may run slowly
+  bool replaced = false;
+  const bool ended = Until(
+      [&] {
+        replaced = replaced || (!Named(id) && Running());
+        return Named(id) && !Running();  // the refusal of the second names that
+      },
+      patience);
+  Note("a second START while an action runs does not replace it", !replaced);
+  double took = 0;  // by the pictures' clock
+  if (!pictures_.empty()) {
+    took = static_cast<double>(pictures_.back().sim_time_us - pictures_.front().sim_time_us) / 1e6;
+  }
+  Note("an action ends within action_time_limit", ended && took <= task_->action_time_limit + 1,
+       task_->actions[static_cast<std::size_t>(willing_)].name + ", " + Number(took) + " s");
+  bool in_order = true, paced = true;
+  for (std::size_t i = 1; i < pictures_.size(); ++i) {
+    const auto step = pictures_[i].frame - pictures_[i - 1].frame;
+    if (step < 0 || step > 1) in_order = false;
+    const double seconds =
+        static_cast<double>(pictures_[i].sim_time_us - pictures_[i - 1].sim_time_us) / 1e6;
+    if (step == 1 && std::abs(seconds / task_->tick_seconds - 1) > 0.5) paced = false;
+  }
+  if (pictures_.size() < 3) {
+    return NotTried("pictures of an action come one a tick", "the action was over at once");
+  }
+  Note("frame numbers grow one by one", in_order, std::to_string(pictures_.size()) + " pictures");
+  Note("pictures of an action come one a tick", paced,
+       "a tick is " + Number(task_->tick_seconds) + " s");
+}
+
+void RobotCheck::CheckCancel() {
+  const char* rule = "CANCEL stops the robot within 1 s";
+  NewScene();
+  if (!StartLasting()) return NotTried(rule, "no action could be started that lasts");
+  const bool sent = Send(Command(action_command_t::KIND_CANCEL, -1));
+  const bool stopped = Until([&] { return !Running(); }, 1);
+  Note(rule, sent && stopped);
+}
+
+// An action may be over before three seconds of silence are, so several are tried.
+void RobotCheck::CheckSilence() {
+  constexpr int kAttempts = 5;
+  const char* rule = "the robot stops within 5 s when its executive falls silent";
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    NewScene();
+    if (!StartLasting()) continue;
+    silent_ = true;
+    const std::int64_t start_ms = SteadyMs();
+    const bool stopped = Until([&] { return !Running(); }, 5);
+    const double seconds = static_cast<double>(SteadyMs() - start_ms) / 1000;
+    silent_ = false;
+    if (stopped && status_->state != action_status_t::STATE_CANCELLED) continue;
+    return Note(rule, stopped, "after " + Number(seconds) + " s");
+  }
+  NotTried(rule, "no action lasts so long");
+}
+
+}  // namespace prospect::services

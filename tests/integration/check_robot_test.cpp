@@ -1,0 +1,75 @@
+// Both the simulator and the example robot keep to the rules of whoever carries actions out, and
+// who breaks them is told so.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/integration/support/deployment.h"
+
+namespace prospect::tests {
+namespace {
+
+struct Checked {
+  int code = -1;
+  std::map<std::string, std::string> verdicts;  // by rule
+};
+
+Checked Check(Witness& witness, const std::string& folder) {
+  Process check("prospect-check-robot", {"--json", folder + "/check.json"}, folder + "/check.log");
+  Checked result;
+  witness.Until([&] { return (result.code = check.Wait(0)) >= 0; }, 90000);
+  const auto file = nlohmann::json::parse(ReadText(folder + "/check.json"), nullptr, false);
+  if (file.is_discarded()) return result;
+  for (const auto& row : file.at("rows")) result.verdicts[row.at("rule")] = row.at("verdict");
+  return result;
+}
+
+TEST(CheckRobot, TheSimulatorPasses) {
+  Witness witness;
+  Deployment deployment("check_simulator");
+  deployment.Simulator({"--frames-per-second", "4"});  // so that actions last
+  ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 20000));
+  const Checked checked = Check(witness, deployment.folder);
+  EXPECT_EQ(checked.code, 0) << ReadText(deployment.folder + "/check.log");
+  EXPECT_EQ(checked.verdicts.at("CANCEL stops the robot within 1 s"), "ok");
+  EXPECT_EQ(checked.verdicts.at("the robot stops within 5 s when its executive falls silent"),
+            "ok");
+}
+
+TEST(CheckRobot, TheExamplePasses) {
+  Witness witness;
+  const std::string folder = MakeFolder("check_example");
+  Process robot("example-robot", {witness.bus.url()}, folder + "/robot.log");
+  ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 20000));
+  const Checked checked = Check(witness, folder);
+  EXPECT_EQ(checked.code, 0) << ReadText(folder + "/check.log");
+  EXPECT_EQ(checked.verdicts.at("the robot stops within 5 s when its executive falls silent"),
+            "ok");
+}
+
+TEST(CheckRobot, NobodyThereIsAFault) {
+  Witness witness;
+  const std::string folder = MakeFolder("check_nobody");
+  const Checked checked = Check(witness, folder);
+  EXPECT_EQ(checked.code, 4);
+  EXPECT_EQ(checked.verdicts.at("TASK is published at least every 3 s"), "FAULT");
+}
+
+TEST(CheckRobot, AnEpisodeWithTheExample) {
+  Witness witness;
+  Deployment deployment("example_episode");
+  Process robot("example-robot", {witness.bus.url()}, deployment.folder + "/robot.log");
+  auto& executive = deployment.Executive(
+      {"--no-reset", "--policy", "plan:0,1,2", "--services-timeout-ms", "20000"});
+  int code = -1;
+  ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000));
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(deployment.Result()["outcome"], "solved");
+  EXPECT_EQ(deployment.Result()["actions"].size(), 3u);
+}
+
+}  // namespace
+}  // namespace prospect::tests
