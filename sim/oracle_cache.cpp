@@ -23,7 +23,8 @@ std::string DefaultDirectory() {
   return std::string(home != nullptr && *home != '\0' ? home : "/tmp") + "/.cache/prospect/oracle";
 }
 
-// Plans as digits: tasks have far fewer than 64 actions that the oracle could exhaust.
+// Plans as digits from '0' on, one of which is ':': tasks have far fewer than 64 actions that the
+// oracle could exhaust.
 char Digit(int value) { return static_cast<char>('0' + value); }
 
 std::string Encode(const std::vector<int>& plan) {
@@ -64,7 +65,7 @@ OracleResult FromJson(const json& line) {
   std::istringstream plans(line.at("plans").get<std::string>());
   std::string entry;
   while (plans >> entry) {
-    const std::size_t colon = entry.find(':');
+    const std::size_t colon = entry.rfind(':');
     result.plans.push_back({Decode(entry.substr(0, colon)), std::stoi(entry.substr(colon + 1))});
   }
   return result;

@@ -45,6 +45,23 @@ TEST_F(OracleCacheTest, KeepsWholeResultsAcrossProcesses) {
   EXPECT_FALSE(cache.Find(18).has_value());
 }
 
+TEST_F(OracleCacheTest, KeepsActionsOfALargeTable) {
+  OracleResult stored;
+  stored.scene_class = SceneClass::kSolvable;
+  for (int action = 0; action < 40; ++action)
+    stored.plans.push_back({{action, 39 - action}, action});
+  stored.best_plan = {10, 20, 30};  // the tenth digit is the mark before the count
+  OracleCache(key_, folder_).Store(17, stored);
+  const std::optional<OracleResult> found = OracleCache(key_, folder_).Find(17);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->best_plan, stored.best_plan);
+  ASSERT_EQ(found->plans.size(), stored.plans.size());
+  for (std::size_t i = 0; i < stored.plans.size(); ++i) {
+    EXPECT_EQ(found->plans[i].plan, stored.plans[i].plan);
+    EXPECT_EQ(found->plans[i].successes, stored.plans[i].successes);
+  }
+}
+
 TEST_F(OracleCacheTest, AsksTheOracleOnce) {
   OracleCache cache(key_, folder_);
   ConsultOracleCached(task_, 17, cache);
