@@ -30,13 +30,13 @@ TORCH_MODULE(LandmarkReadout);
 
 /// Where the landmarks of frames `slots` are, on a grid [B,K,height,width]: each has weight 1
 /// shared by the four cells around it, in proportion to nearness; none has weight if it is not in
-/// the scene. The whole map is -1 where the trial does not say where things are. Pictures are turned
-/// by Dihedral(turns[i]).
+/// the scene. The whole map is -1 where the trial does not say where things are. Pictures are
+/// turned by Dihedral(turns[i]).
 torch::Tensor LandmarkMaps(const SampleSet& samples, const std::vector<int>& slots,
                            const std::vector<int>& turns, std::int64_t height, std::int64_t width);
 
-/// Binary cross-entropy of the logits against the maps, a mean for each of the B pictures; maps of -1
-/// add nothing and pull nowhere.
+/// Binary cross-entropy of the logits against the maps, a mean for each of the B pictures; maps of
+/// -1 add nothing and pull nowhere.
 torch::Tensor LandmarkLoss(const torch::Tensor& logits, const torch::Tensor& maps);
 
 }  // namespace prospect::model
