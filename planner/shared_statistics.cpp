@@ -213,7 +213,7 @@ void SharedStatistics::NoteHeard(const StatisticsBatch& batch, std::int64_t now_
   const int index = WriterIndex(batch.writer);
   Writer& writer = writers_[index];
   if (batch.sequence <= writer.sequence) return;
-  if (writer.sequence == 0) full_until_round_ = rounds_ + 2;
+  if (writer.sequence == 0) TellAll();
   writer.sequence = batch.sequence;
   writer.heard_us = now_us;
   writer.announced = batch.totals;
@@ -300,6 +300,7 @@ int SharedStatistics::WriterIndex(std::uint64_t id) {
   const int index = static_cast<int>(writers_.size());
   writers_.emplace_back().id = id;
   writer_index_[id] = index;
+  TellAll();  // known by a relay alone, perhaps: others may not know of it, either
   return index;
 }
 
@@ -348,6 +349,8 @@ StatisticsBatch SharedStatistics::MakeBatch(std::size_t byte_budget, std::int64_
   batch.checksum = PayloadChecksum(batch);
   return batch;
 }
+
+void SharedStatistics::TellAll() { full_until_round_ = rounds_ + 2; }
 
 // What this batch may take of `byte_budget`: while rollouts go on, what they have earned.
 std::size_t SharedStatistics::Allowance(std::size_t byte_budget) {

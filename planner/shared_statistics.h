@@ -31,8 +31,8 @@ struct SharedStatisticsOptions {
   int max_writers = 2048;             // rows of writers beyond this many known ones are refused
   int max_paths = 4'000'000;          // rows for paths beyond this many known ones are refused
   // While the writer is at work, batches take no more than this many bytes for each of its rollouts
-  // (but always room for a few rows); closing batches, and a round after a new writer was heard,
-  // may fill the whole budget. 0: no such limit.
+  // (but always room for a few rows); closing batches, and a round after a new writer was heard
+  // or heard of, may fill the whole budget. 0: no such limit.
   std::size_t bytes_per_rollout = 0;
 };
 
@@ -179,6 +179,7 @@ class SharedStatistics {
   float BestOverWriters(PathId id) const;
   void SetLive(int writer, bool live);
   WriterView ViewOf(int writer) const;
+  void TellAll();
   std::size_t Allowance(std::size_t byte_budget);
   std::vector<PathId> ChangedRows(std::size_t most);
   std::size_t AddChanged(std::size_t byte_budget, StatisticsBatch* batch);
@@ -199,7 +200,7 @@ class SharedStatistics {
   std::vector<RowKey> known_;  // every row ever known, in order of appearance
   std::size_t cursor_ = 0;     // of the round-robin, into known_
   std::int64_t rounds_ = 0;
-  std::int64_t full_until_round_ = 0;  // a new writer was heard: no steady limit before that round
+  std::int64_t full_until_round_ = 0;  // a new writer is known: no steady limit before that round
   std::size_t allowance_ = 0;          // bytes not yet used of bytes_per_rollout
   std::int64_t allowed_rollouts_ = 0;  // rollouts that it was granted for
   std::vector<PathId> newly_visited_;

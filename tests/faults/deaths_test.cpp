@@ -35,7 +35,8 @@ TEST_F(Deaths, AKilledWorkerIsForgottenAndItsRowsAreNot) {
   ASSERT_TRUE(Up(1, 4));
   const std::int64_t dead = IdOf("worker", victim.pid());
   ASSERT_NE(dead, 0);
-  Begin(4, kBudgetMs);
+  // On a busy machine the late one needs seconds to come up.
+  Begin(4, 2 * kBudgetMs);
   ASSERT_TRUE(UnderWay());
   const auto dead_has_worked = [&] {
     const auto view = observer.View(dead);
@@ -58,13 +59,13 @@ TEST_F(Deaths, AKilledWorkerIsForgottenAndItsRowsAreNot) {
   // It hears the dead one's rows from the others, and tells of them.
   ASSERT_TRUE(witness.Until([&] { return IdOf("worker", late.pid()) != 0; }, 5000));
   const std::int64_t heir = IdOf("worker", late.pid());
-  EXPECT_TRUE(witness.Until([&] { return observer.Relayed(heir, dead) >= legacy; }, 3000))
+  EXPECT_TRUE(witness.Until([&] { return observer.Relayed(heir, dead) >= legacy; }, kBudgetMs))
       << observer.Relayed(heir, dead) << " of " << legacy;
 
   const auto search = End();
   ASSERT_FALSE(search.is_null()) << folder;
   EXPECT_EQ(search.at("ended_by"), "deadline");
-  EXPECT_LT(search.at("seconds"), kBudgetMs / 1000.0 + 1);
+  EXPECT_LT(search.at("seconds"), 2 * kBudgetMs / 1000.0 + 1);
   EXPECT_GE(search.at("workers"), 4);
 }
 

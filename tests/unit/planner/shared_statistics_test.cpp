@@ -19,6 +19,7 @@ constexpr std::int64_t kSecond = 1'000'000;
 struct Table {
   explicit Table(std::uint64_t writer, SearchId search = kSearch)
       : tree(4), statistics(&tree, Options(writer, search)) {}
+  explicit Table(const SharedStatisticsOptions& options) : tree(4), statistics(&tree, options) {}
   static SharedStatisticsOptions Options(std::uint64_t writer, SearchId search) {
     SharedStatisticsOptions options;
     options.search = search;
@@ -380,6 +381,24 @@ TEST(Batches, RoundRobinAloneCoversEverything) {
   }
   EXPECT_EQ(late.statistics.digest(), a.statistics.digest());
   EXPECT_EQ(late.statistics.rows(), 42);
+}
+
+TEST(Batches, NewsOfAWriterHeardOfByRelayAreToldAtOnce) {
+  SharedStatisticsOptions options = Table::Options(3, kSearch);
+  options.bytes_per_rollout = 20;
+  Table dead(1), witness(2), heir(options), other(4);
+  for (std::uint8_t i = 0; i < 64; ++i) {
+    dead.Visit({std::uint8_t(i / 16), std::uint8_t(i / 4 % 4), std::uint8_t(i % 4)}, 0.5);
+  }
+  heir.Visit({0}, 0.5);
+  heir.statistics.Merge(witness.statistics.MakeBatch(kPlenty, 0), 0);
+  for (int i = 0; i < 10; ++i) heir.statistics.MakeBatch(kPlenty, 0);  // long in its steady state
+  witness.statistics.Merge(dead.statistics.MakeBatch(kPlenty, 0), 0);
+  heir.statistics.Merge(witness.statistics.MakeBatch(kPlenty, 0), 0);
+  other.statistics.Merge(heir.statistics.MakeBatch(kPlenty, 0), 0);
+  EXPECT_EQ(other.statistics.rows(), 85 + 2);
+  for (int i = 0; i < 10; ++i) heir.statistics.MakeBatch(kPlenty, 0);
+  EXPECT_LE(heir.statistics.MakeBatch(kPlenty, 0).rows.size(), 8u) << "it goes on telling all";
 }
 
 TEST(Batches, TotalsTellWhatIsMissing) {
