@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint64_t kPlanStream = 0x706c616eULL;
 constexpr std::uint64_t kRetryStream = 0x7265747279ULL;
-constexpr double kRetryTrials = 0.30;  // of which many end before a retry is possible
+constexpr double kRetryTrials = 0.22;  // of which many end before a retry is possible
 
 }  // namespace
 
