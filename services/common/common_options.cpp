@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "services/common/chaos.h"
+#include "services/common/health.h"
 #include "services/common/ids.h"
 #include "services/common/log.h"
 #include "services/common/signals.h"
@@ -30,10 +31,18 @@ void AddCommonOptions(CLI::App& app, CommonOptions& options) {
       ->capture_default_str();
 }
 
+void AddInstanceFileOption(CLI::App& app, CommonOptions& options) {
+  app.add_option("--instance-file", options.instance_file,
+                 "write the instance id of this process's HEALTH to this file, for prospect-bus "
+                 "health")
+      ->envname("PROSPECT_INSTANCE_FILE");
+}
+
 void ApplyCommonOptions(const CommonOptions& options, const std::string& component) {
   SetUpLog(component, options.log_level);
   SetDeploymentId(options.deployment);
   SetChaos(options.chaos);
+  SetInstanceFile(options.instance_file);
   InstallStopSignals();
 }
 

@@ -16,10 +16,15 @@ struct CommonOptions {
   std::string chaos;               ///< --chaos, PROSPECT_CHAOS: as ParseChaos takes it; empty: none
   std::int64_t deployment =
       0;  ///< --deployment, PROSPECT_DEPLOYMENT; 0: joins whatever is on the bus
+  std::string instance_file;  ///< --instance-file, PROSPECT_INSTANCE_FILE; empty: none is written
 };
 
 /// Adds --bus, --log-level, --chaos and --deployment. `options` must outlive the parsing.
 void AddCommonOptions(CLI::App& app, CommonOptions& options);
+
+/// Adds --instance-file, for services: a health check finds by it this very process among others of
+/// its kind, whose host name and pid may be the same where each has a container of its own.
+void AddInstanceFileOption(CLI::App& app, CommonOptions& options);
 
 /// Call after parsing: sets up the log, takes over deployment id and chaos, installs the stop
 /// signals.

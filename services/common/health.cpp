@@ -3,9 +3,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "services/common/ids.h"
+#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {
@@ -31,7 +33,37 @@ std::int64_t ResidentKb() {
   return file >> total >> resident ? resident * sysconf(_SC_PAGESIZE) / 1024 : 0;
 }
 
+std::string& InstanceFile() {
+  static std::string path;
+  return path;
+}
+
+// Renamed when whole: a health check may read at any moment.
+void WriteInstanceFile(std::int64_t id) {
+  const std::string& path = InstanceFile();
+  if (path.empty()) return;
+  const std::string part = path + ".part";
+  std::ofstream file(part);
+  file << id << "\n";
+  file.close();
+  if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
+    throw ExitError(kExitDisk, path + " cannot be written: check its folder");
+  }
+}
+
 }  // namespace
+
+void SetInstanceFile(const std::string& path) { InstanceFile() = path; }
+
+std::int64_t ReadInstanceFile(const std::string& path) {
+  std::ifstream file(path);
+  std::int64_t id = 0;
+  if (file >> id) return id;
+  throw ExitError(kExitDataFile,
+                  path +
+                      " holds no instance id: the service has not come so far, or was started "
+                      "without --instance-file");
+}
 
 HealthBeacon::HealthBeacon(Bus& bus, std::string service) : bus_(bus) {
   message_.service = std::move(service);
@@ -40,6 +72,7 @@ HealthBeacon::HealthBeacon(Bus& bus, std::string service) : bus_(bus) {
   message_.pid = static_cast<std::int32_t>(getpid());
   message_.host = HostName();
   message_.state = health_t::STATE_STARTING;
+  WriteInstanceFile(message_.instance_id);
 }
 
 void HealthBeacon::SetState(std::int8_t state, const std::string& note) {

@@ -9,6 +9,13 @@
 
 namespace prospect::services {
 
+/// From now on each HealthBeacon writes its instance id to this file when it is made, so that
+/// others on this machine can ask for this very process. Empty: none does.
+void SetInstanceFile(const std::string& path);
+
+/// The id in such a file. @throws ExitError (kExitDataFile) when there is none yet
+std::int64_t ReadInstanceFile(const std::string& path);
+
 /// Says on HEALTH that this process lives: once a second and on change. Adds the bus's counters of
 /// refused messages (and of chaos, if any), memory and processor time by itself. Call Tick() in
 /// each turn of the loop; nothing runs by itself. Belongs to the bus's thread; the bus must outlive
@@ -16,7 +23,7 @@ namespace prospect::services {
 class HealthBeacon {
  public:
   /// Starts in STATE_STARTING with a random instance id. @param service "simulator", "model",
-  /// "worker", "executive"
+  /// "worker", "executive" @throws ExitError (kExitDisk) when the instance file cannot be written
   HealthBeacon(Bus& bus, std::string service);
 
   /// Random per start; other messages of this process carry it too (server_id, executive_id, ...).

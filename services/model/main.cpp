@@ -28,6 +28,7 @@ struct Options {
 
 void AddOptions(CLI::App& app, Options& options) {
   AddCommonOptions(app, options.common);
+  AddInstanceFileOption(app, options.common);
   app.add_option("--weights", options.engine.weights,
                  "safetensors file; without networks: scripted[:N], scripted-tree, "
                  "replay:FILE")

@@ -43,6 +43,7 @@ int Run(int argc, char** argv) {
   CommonOptions common;
   SimulatorOptions options;
   AddCommonOptions(app, common);
+  AddInstanceFileOption(app, common);
   AddOptions(app, options);
   try {
     app.parse(argc, argv);

@@ -2,6 +2,7 @@
 //   prospect-bus check --seconds S [--json FILE]   lists channels, types, rates and what could not
 //   be decoded
 //   prospect-bus wait --services LIST              returns when they are there and ready
+//   prospect-bus health --instance-file FILE       is that very service at work (for health checks)
 //   prospect-bus status [--watch] [--json FILE]    every process: its state, age, queue, restarts
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -33,6 +34,12 @@ struct WaitOptions {
   CommonOptions common;
   std::string services;
   double seconds = 20;
+};
+
+struct HealthOptions {
+  CommonOptions common;
+  std::string instance_file;
+  double seconds = 3;  // three signs of life
 };
 
 struct StatusOptions {
@@ -75,6 +82,17 @@ int Wait(const WaitOptions& options) {
   return kExitSuccess;
 }
 
+// Whether the service that wrote the file is at work, by what it says on the bus.
+int Health(const HealthOptions& options) {
+  ApplyCommonOptions(options.common, "health");
+  const std::int64_t instance_id = ReadInstanceFile(options.instance_file);
+  Bus bus(options.common.bus);
+  const HealthMonitor monitor(bus);
+  const health_t health = WaitForInstance(bus, monitor, instance_id, options.seconds);
+  std::printf("%s: %s\n", health.service.c_str(), StateName(health.state));
+  return kExitSuccess;
+}
+
 // What the supervisor on this machine wrote; null without one.
 nlohmann::json ReadServices(const std::string& path) {
   std::ifstream in(path);
@@ -97,6 +115,21 @@ int Status(const StatusOptions& options) {
   } while (options.watch && !StopRequested());
   if (!options.json.empty()) WriteJsonFile(options.json, StatusJson(rows));
   return AllWell(rows) || options.watch ? kExitSuccess : kExitServiceLost;
+}
+
+CLI::App* AddHealth(CLI::App& app, HealthOptions& options) {
+  CLI::App* health =
+      app.add_subcommand("health", "is the service that wrote this instance file at work");
+  AddCommonOptions(*health, options.common);
+  health
+      ->add_option("--instance-file", options.instance_file,
+                   "as the service was given, for health checks")
+      ->envname("PROSPECT_INSTANCE_FILE")
+      ->required();
+  health->add_option("--seconds", options.seconds, "how long to listen at most")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  return health;
 }
 
 CLI::App* AddStatus(CLI::App& app, StatusOptions& options) {
@@ -163,8 +196,10 @@ int Run(int argc, char** argv) {
   CheckOptions check_options;
   WaitOptions wait_options;
   StatusOptions status_options;
+  HealthOptions health_options;
   const CLI::App* check = AddCheck(app, check_options);
   const CLI::App* status = AddStatus(app, status_options);
+  const CLI::App* health = AddHealth(app, health_options);
   AddWait(app, wait_options);
   CommonOptions probe_options;
   const CLI::App* probe =
@@ -177,6 +212,7 @@ int Run(int argc, char** argv) {
   }
   if (probe->parsed()) return Probe(probe_options);
   if (status->parsed()) return Status(status_options);
+  if (health->parsed()) return Health(health_options);
   return check->parsed() ? Check(check_options) : Wait(wait_options);
 }
 

@@ -5,6 +5,7 @@
 
 #include "services/common/clock.h"
 #include "services/common/signals.h"
+#include "services/spy/status.h"
 
 namespace prospect::services {
 namespace {
@@ -78,6 +79,25 @@ void WaitForServices(Bus& bus, HealthMonitor& monitor, const ServiceCounts& want
     bus.Poll(static_cast<int>(std::min(left_ms, kTurnMs)));
     monitor.RequireOwnBus(0);
     missing = MissingServices(wanted, monitor);
+  }
+}
+
+health_t WaitForInstance(Bus& bus, const HealthMonitor& monitor, std::int64_t instance_id,
+                         double seconds) {
+  const std::int64_t end_ms = SteadyMs() + static_cast<std::int64_t>(1000 * seconds);
+  while (true) {
+    const HealthMonitor::Peer* peer = monitor.Find(instance_id);
+    if (peer && IsAtWork(*peer)) return peer->health;
+    const std::int64_t left_ms = end_ms - SteadyMs();
+    if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");
+    if (left_ms > 0) {
+      bus.Poll(static_cast<int>(left_ms));
+      continue;
+    }
+    if (!peer) throw ExitError(kExitServiceLost, "the service is not heard on " + bus.url());
+    const std::string note = peer->health.message.empty() ? "" : ": " + peer->health.message;
+    throw ExitError(kExitServiceLost, peer->health.service + " is not at work: state " +
+                                          StateName(peer->health.state) + note);
   }
 }
 

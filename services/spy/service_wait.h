@@ -24,4 +24,10 @@ std::string DescribeMissing(const ServiceCounts& missing, const HealthMonitor& m
 /// `seconds`, kExitBusInUse when another deployment is heard, kExitInterrupted on a signal
 void WaitForServices(Bus& bus, HealthMonitor& monitor, const ServiceCounts& wanted, double seconds);
 
+/// Polls the bus until this instance says that it is at work, and returns what it said.
+/// @throws ExitError: kExitServiceLost with its last word when it does not within `seconds`,
+/// kExitInterrupted on a signal
+health_t WaitForInstance(Bus& bus, const HealthMonitor& monitor, std::int64_t instance_id,
+                         double seconds);
+
 }  // namespace prospect::services

@@ -10,23 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-const char* StateName(std::int8_t state) {
-  switch (state) {
-    case health_t::STATE_STARTING:
-      return "starting";
-    case health_t::STATE_READY:
-      return "ready";
-    case health_t::STATE_BUSY:
-      return "busy";
-    case health_t::STATE_DRAINING:
-      return "stopping";
-    case health_t::STATE_FAULT:
-      return "fault";
-    default:
-      return "unknown";
-  }
-}
-
 std::string HostName() {
   char name[256] = {};
   gethostname(name, sizeof name - 1);
@@ -68,6 +51,23 @@ StatusRow Supervised(const json& service) {
 }
 
 }  // namespace
+
+const char* StateName(std::int8_t state) {
+  switch (state) {
+    case health_t::STATE_STARTING:
+      return "starting";
+    case health_t::STATE_READY:
+      return "ready";
+    case health_t::STATE_BUSY:
+      return "busy";
+    case health_t::STATE_DRAINING:
+      return "stopping";
+    case health_t::STATE_FAULT:
+      return "fault";
+    default:
+      return "unknown";
+  }
+}
 
 std::vector<StatusRow> StatusRows(const std::vector<HealthMonitor::Peer>& peers,
                                   const json& services_file, std::int64_t now_ms) {

@@ -27,6 +27,9 @@ struct StatusRow {
   bool well = false;  ///< there and at work
 };
 
+/// "ready", "busy", ...: a STATE_ of health_t in words.
+const char* StateName(std::int8_t state);
+
 /// Joins what was heard with `services_file`, a supervisor's services.json (null: no supervisor).
 /// Supervised services come first in their order, then whoever else is on the bus.
 std::vector<StatusRow> StatusRows(const std::vector<HealthMonitor::Peer>& peers,

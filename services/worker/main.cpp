@@ -19,6 +19,7 @@ int Run(int argc, char** argv) {
   CommonOptions common;
   WorkerOptions options;
   AddCommonOptions(app, common);
+  AddInstanceFileOption(app, common);
   app.add_option("--index", options.index,
                  "breaks ties differently in each worker; -1: drawn at random")
       ->envname("PROSPECT_WORKER_INDEX")

@@ -1,8 +1,11 @@
 #include "services/spy/service_wait.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <functional>
+#include <string>
 
 #include "services/common/health.h"
 #include "services/common/ids.h"
@@ -75,6 +78,55 @@ TEST_F(ServiceWait, AnotherDeploymentEndsTheWait) {
   foreign.PublishNow();
   SetDeploymentId(2);
   EXPECT_EQ(CodeOf([&] { WaitForServices(bus_, monitor_, {{"model", 1}}, 5); }), kExitBusInUse);
+}
+
+// Two workers whose host and pid are the same, as in two containers: each file asks for its own.
+class InstanceFile : public ServiceWait {
+ protected:
+  void TearDown() override {
+    SetInstanceFile("");
+    for (const auto& file : {first_, second_}) std::remove(file.c_str());
+    ServiceWait::TearDown();
+  }
+
+  const std::string first_ = testing::TempDir() + "instance-1-" + std::to_string(getpid());
+  const std::string second_ = testing::TempDir() + "instance-2-" + std::to_string(getpid());
+};
+
+TEST_F(InstanceFile, TellsAWorkerFromItsTwin) {
+  EXPECT_EQ(CodeOf([&] { ReadInstanceFile(first_); }), kExitDataFile);
+  SetInstanceFile(first_);
+  HealthBeacon first(bus_, "worker");
+  SetInstanceFile(second_);
+  HealthBeacon second(bus_, "worker");
+  SetInstanceFile("");
+  HealthBeacon none(bus_, "worker");
+  EXPECT_EQ(ReadInstanceFile(first_), first.instance_id());
+  ASSERT_EQ(ReadInstanceFile(second_), second.instance_id());
+  first.SetState(health_t::STATE_BUSY);
+  first.PublishNow();
+  EXPECT_EQ(WaitForInstance(bus_, monitor_, first.instance_id(), 5).instance_id,
+            first.instance_id());
+  EXPECT_EQ(CodeOf([&] { WaitForInstance(bus_, monitor_, second.instance_id(), 0.3); }),
+            kExitServiceLost);
+}
+
+TEST_F(InstanceFile, AFaultIsNoHealth) {
+  HealthBeacon model(bus_, "model");
+  model.SetState(health_t::STATE_FAULT, "weights are for another task");
+  model.PublishNow();
+  try {
+    WaitForInstance(bus_, monitor_, model.instance_id(), 0.3);
+    FAIL() << "no error";
+  } catch (const ExitError& error) {
+    EXPECT_EQ(error.code(), kExitServiceLost);
+    EXPECT_STREQ(error.what(), "model is not at work: state fault: weights are for another task");
+  }
+}
+
+TEST_F(InstanceFile, MustBeWritable) {
+  SetInstanceFile("/no/such/folder/instance");
+  EXPECT_EQ(CodeOf([&] { HealthBeacon(bus_, "worker"); }), kExitDisk);
 }
 
 }  // namespace
