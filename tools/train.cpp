@@ -23,6 +23,7 @@ struct Arguments {
   model::TrainOptions options;
   std::string config_file;
   std::string json_file;
+  std::string scored_weights;
   std::int64_t iterations = 0;
   std::int64_t seed = -1;
   std::vector<std::string> stages;
@@ -49,6 +50,10 @@ void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option(
       "--stage", a->stages,
       "only these stages: classifier, second-classifier, encoder-decoder, transform, heads");
+  app->add_option("--score", a->scored_weights,
+                  "train nothing: score this weights file, and the classifiers' file beside it, on "
+                  "the data's held-out trials")
+      ->check(CLI::ExistingFile);
   app->add_option("--json", a->json_file, "write the scores here, too");
   app->add_flag("--print-config", a->print_config, "print the configuration and stop");
 }
@@ -66,17 +71,36 @@ model::TrainConfig ConfigOf(const Arguments& a) {
   return config;
 }
 
-void Finish(const Arguments& a, const model::Trainer& trainer) {
-  model::RoundToHalf(trainer.context().networks);
-  const nlohmann::json scores =
-      model::ComputeScores(trainer.context(), trainer.file(), a.options.threads);
-  const std::string weights = model::ExportWeights(trainer, scores);
+nlohmann::json ScoresOf(const Arguments& a, const model::Trainer& trainer) {
+  return model::ComputeScores(trainer.context(), trainer.file(), a.options.threads);
+}
+
+void Tell(const Arguments& a, const nlohmann::json& scores) {
   model::PrintScores(scores);
-  std::printf("weights: %s\n", weights.c_str());
   if (a.json_file.empty()) return;
   std::ofstream out(a.json_file);
   out << scores.dump(2) << '\n';
   if (!out.flush()) throw std::runtime_error(a.json_file + ": cannot be written");
+}
+
+void Finish(const Arguments& a, const model::Trainer& trainer) {
+  model::RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores = ScoresOf(a, trainer);
+  const std::string weights = model::ExportWeights(trainer, scores);
+  Tell(a, scores);
+  std::printf("weights: %s\n", weights.c_str());
+}
+
+// With the configuration that the weights were trained with, not this version's.
+int ScoreOnly(const Arguments& a) {
+  const nlohmann::json metadata = model::ReadWeights(a.scored_weights).metadata;
+  if (!metadata.contains("train")) {
+    throw model::WeightsError(a.scored_weights + ": does not say how it was trained");
+  }
+  model::Trainer trainer(metadata["train"].get<model::TrainConfig>(), a.options);
+  trainer.Load(a.scored_weights);
+  Tell(a, ScoresOf(a, trainer));
+  return 0;
 }
 
 int Run(Arguments a) {
@@ -88,6 +112,7 @@ int Run(Arguments a) {
   if (a.options.data.empty() || a.options.folder.empty()) {
     throw std::invalid_argument("--data and --out are required");
   }
+  if (!a.scored_weights.empty()) return ScoreOnly(a);
   a.options.stages.insert(a.stages.begin(), a.stages.end());
   model::Trainer trainer(config, a.options);
   trainer.Run();

@@ -1,5 +1,7 @@
 #include "model/training/export.h"
 
+#include <filesystem>
+
 #include "model/weights.h"
 
 #ifndef PROSPECT_VERSION
@@ -33,6 +35,12 @@ bool IsClassifier(const std::string& name) {
 
 }  // namespace
 
+std::string ClassifiersPath(const std::string& weights) {
+  const std::filesystem::path path(weights);
+  return (path.parent_path() / (path.stem().string() + "-classifiers" + path.extension().string()))
+      .string();
+}
+
 std::string ExportWeights(const Trainer& trainer, const json& scores) {
   const TrainContext& context = trainer.context();
   std::map<std::string, torch::Tensor> planning, classifiers;
@@ -40,10 +48,11 @@ std::string ExportWeights(const Trainer& trainer, const json& scores) {
     CollectTensors(name, *module, IsClassifier(name) ? &classifiers : &planning);
   }
   const json metadata = MetadataOf(trainer, scores);
-  const std::string base = trainer.options().folder + "/" + context.samples.task;
-  WriteWeights(base + "-classifiers.safetensors", classifiers, metadata);
-  WriteWeights(base + ".safetensors", planning, metadata);
-  return base + ".safetensors";
+  const std::string weights =
+      trainer.options().folder + "/" + context.samples.task + ".safetensors";
+  WriteWeights(ClassifiersPath(weights), classifiers, metadata);
+  WriteWeights(weights, planning, metadata);
+  return weights;
 }
 
 }  // namespace prospect::model

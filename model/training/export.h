@@ -14,4 +14,7 @@ namespace prospect::model {
 /// validation trials. Returns the path of the first. Throws WeightsError.
 std::string ExportWeights(const Trainer& trainer, const nlohmann::json& scores);
 
+/// DIR/TASK-classifiers.safetensors for DIR/TASK.safetensors.
+std::string ClassifiersPath(const std::string& weights);
+
 }  // namespace prospect::model

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "model/hash.h"
+#include "model/training/export.h"
 #include "model/training/heads_stage.h"
 #include "model/training/picture_stages.h"
 #include "model/training/progress.h"
@@ -262,6 +263,19 @@ void Trainer::Run() {
   }
   if (heads) run.TrainHeads();
   networks.SetTraining(false);
+}
+
+void Trainer::Load(const std::string& weights) {
+  const WeightsFile planning = ReadWeights(weights);
+  const std::string beside = ClassifiersPath(weights);
+  const WeightsFile classifiers = ReadWeights(beside);
+  for (const auto& [name, module] : impl_->context.networks.named()) {
+    const bool here = HasModule(planning, name);
+    module->to(torch::kCPU);
+    LoadModule(here ? planning : classifiers, here ? weights : beside, name, module);
+    module->to(impl_->context.device);
+  }
+  impl_->context.networks.SetTraining(false);
 }
 
 const TrainContext& Trainer::context() const { return impl_->context; }

@@ -34,7 +34,11 @@ class Trainer {
   /// Trains what is asked for; throws as RunStage does.
   void Run();
 
-  /// After Run: the networks in inference mode, and what they were trained on.
+  /// Instead of Run: takes all networks from a weights file TASK.safetensors and the
+  /// TASK-classifiers.safetensors beside it (export.h). Throws WeightsError.
+  void Load(const std::string& weights);
+
+  /// After Run or Load: the networks in inference mode, and what they were trained on.
   const TrainContext& context() const;
   const TrialFile& file() const;
   /// Hash of labels and configuration that everything depends on.

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "tools/verify/figures.h"
+
+namespace prospect::verify {
+namespace {
+
+using nlohmann::json;
+
+Figure Around(double quick, double full, double tolerance) {
+  Figure figure;
+  figure.pointer = "/f/share";
+  figure.quick = quick;
+  figure.full = full;
+  figure.tolerance = tolerance;
+  return figure;
+}
+
+json Report(double share) { return {{"f", {{"share", share}}}}; }
+
+TEST(Figures, AreWithinOrOutsideTheirTolerance) {
+  const Figure figure = Around(0.5, 0.8, 0.1);
+  EXPECT_TRUE(Judge(figure, false, Report(0.6)).within);
+  EXPECT_TRUE(Judge(figure, false, Report(0.4)).within);
+  EXPECT_FALSE(Judge(figure, false, Report(0.61)).within);
+  EXPECT_FALSE(Judge(figure, false, Report(0.39)).within);
+  EXPECT_FALSE(Judge(figure, true, Report(0.6)).within) << "the README's figure is another";
+  EXPECT_TRUE(Judge(figure, true, Report(0.9)).within);
+}
+
+TEST(Figures, TimesHaveABound) {
+  Figure figure = Around(0, 0, 0);
+  figure.at_most = 0.4;
+  EXPECT_TRUE(Judge(figure, false, Report(0.01)).within);
+  EXPECT_FALSE(Judge(figure, false, Report(0.41)).within);
+}
+
+TEST(Figures, WhatWasNotMeasuredIsAFault) {
+  const Figure figure = Around(0.5, 0.8, 0.1);
+  EXPECT_THROW(Judge(figure, false, json::object()), std::invalid_argument);
+  EXPECT_THROW(Judge(figure, false, {{"f", {{"share", nullptr}}}}), std::invalid_argument);
+}
+
+TEST(Commands, TakeValuesForTheirPlaceholders) {
+  const std::vector<std::string> filled =
+      Fill({"a", "--x={x}{y}", "{y}"}, {{"x", "1"}, {"y", "{z}"}});
+  EXPECT_EQ(filled, (std::vector<std::string>{"a", "--x=1{z}", "{z}"}));
+  EXPECT_THROW(Fill({"{other}"}, {{"x", "1"}}), std::invalid_argument);
+  EXPECT_THROW(Fill({"{x"}, {{"x", "1"}}), std::invalid_argument);
+}
+
+// What the README says and what is measured cannot part.
+TEST(FiguresFile, EveryFigureStandsInTheReadme) {
+  std::ifstream in(std::string(PROSPECT_ROOT) + "/README.md");
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string readme = text.str();
+  for (char& c : readme) c = c == '\n' ? ' ' : c;  // a sentence may be broken anywhere
+  for (const Measurement& m :
+       ReadMeasurements(std::string(PROSPECT_ROOT) + "/config/figures.yaml")) {
+    for (const Figure& figure : m.figures) {
+      EXPECT_NE(readme.find(figure.readme), std::string::npos)
+          << m.name << ", " << figure.name << ": '" << figure.readme << "'";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prospect::verify

@@ -1,0 +1,175 @@
+// prospect-verify: measures again what the README says of the bundled weights.
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "tools/verify/figures.h"
+
+extern char** environ;
+
+namespace {
+
+using namespace prospect::verify;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kExitUsage = 2, kExitFailed = 4, kExitTolerance = 5, kExitDisk = 13;
+
+struct Options {
+  std::string figures, weights, work, json_file;
+  bool full = false;
+  int jobs = 2;
+};
+
+// A command that failed, with its own exit code.
+struct CommandFailed : std::runtime_error {
+  CommandFailed(const std::string& what, int exit_code)
+      : std::runtime_error(what), code(exit_code) {}
+  int code;
+};
+
+void AddOptions(CLI::App* app, Options* options) {
+  app->add_option("--figures", options->figures, "What to measure, and what the README says of it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app->add_option("--weights", options->weights, "Weights file, its classifiers' file beside it")
+      ->required();
+  app->add_option("--work", options->work, "Folder for trials and reports")->required();
+  app->add_flag("--full", options->full, "Everything, as in the README: hours");
+  app->add_option("--jobs", options->jobs, "Processes")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app->add_option("--json", options->json_file, "Write figures and verdicts to this file, too");
+}
+
+// Its stdout goes to a file; its stderr, where it shows progress, stays the terminal's.
+int RunProgram(const std::vector<std::string>& command, const std::string& log) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  pid_t pid = 0;
+  const int fault = posix_spawn(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (fault != 0) return 127;
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+json ReadReport(const std::string& path) {
+  std::ifstream in(path);
+  json report = json::parse(in, nullptr, false);
+  if (report.is_discarded()) throw std::runtime_error(path + ": no report was written");
+  return report;
+}
+
+// Runs a measurement's commands and reads the last one's report.
+json Measure(const Measurement& measurement, const Options& options, const std::string& folder) {
+  std::map<std::string, std::string> values = options.full ? measurement.full : measurement.quick;
+  const std::string report = folder + "/report.json";
+  const std::string programs = fs::read_symlink("/proc/self/exe").parent_path().string();
+  values.insert({{"weights", options.weights},
+                 {"work", options.work},
+                 {"report", report},
+                 {"jobs", std::to_string(options.jobs)}});
+  fs::remove(report);
+  fs::create_directories(folder);
+  for (const auto& words : measurement.commands) {
+    std::vector<std::string> command = Fill(words, values);
+    command[0] = programs + "/prospect-" + command[0];
+    const std::string log = folder + "/" + words[0] + ".log";
+    const int code = RunProgram(command, log);
+    if (code != 0) {
+      throw CommandFailed(
+          words[0] + " ended with exit code " + std::to_string(code) + "; see " + log, code);
+    }
+  }
+  return ReadReport(report);
+}
+
+// Prints a measurement's figures. @return how many lie outside
+int Show(const Measurement& measurement, bool full, const json& report, json* told) {
+  int outside = 0;
+  for (const Figure& figure : measurement.figures) {
+    const Verdict verdict = Judge(figure, full, report);
+    outside += verdict.within ? 0 : 1;
+    std::printf("  %-48s %9.4f  %s %9.4f", figure.name.c_str(), verdict.measured,
+                figure.at_most ? "at most " : "expected", verdict.expected);
+    if (!figure.at_most) std::printf(" +- %.4f", figure.tolerance);
+    std::printf("%s\n", verdict.within ? "" : "   OUTSIDE");
+    told->push_back({{"measurement", measurement.name},
+                     {"name", figure.name},
+                     {"measured", verdict.measured},
+                     {"expected", verdict.expected},
+                     {"tolerance", figure.at_most ? 0 : figure.tolerance},
+                     {"within", verdict.within}});
+  }
+  std::fflush(stdout);
+  return outside;
+}
+
+int Run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  json told = json::array();
+  int outside = 0, count = 0;
+  for (const Measurement& measurement : ReadMeasurements(options.figures)) {
+    std::printf("%s\n", measurement.name.c_str());
+    std::fflush(stdout);
+    const std::string folder = options.work + "/" + std::to_string(++count);
+    outside += Show(measurement, options.full, Measure(measurement, options, folder), &told);
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  std::printf("%zu figures, %d outside their tolerance; %.0f s\n", told.size(), outside,
+              took.count());
+  if (!options.json_file.empty()) {
+    std::ofstream out(options.json_file);
+    out << json{{"outside", outside}, {"full", options.full}, {"rows", told}}.dump(2) << '\n';
+    if (!out.flush()) throw fs::filesystem_error("cannot write " + options.json_file, {});
+  }
+  return outside == 0 ? 0 : kExitTolerance;
+}
+
+int RunGuarded(const Options& options) {
+  try {
+    return Run(options);
+  } catch (const CommandFailed& error) {
+    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
+    return error.code;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
+    return kExitUsage;
+  } catch (const fs::filesystem_error& error) {
+    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
+    return kExitDisk;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
+    return kExitFailed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures again the figures that the README gives for the bundled weights.");
+  Options options;
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kExitUsage;
+  }
+  return RunGuarded(options);
+}
