@@ -3,8 +3,7 @@ if(NOT TARGET prospect_dataset OR NOT TARGET prospect_sim)
 endif()
 find_package(CLI11 REQUIRED)
 set(sheet_caption ${CMAKE_CURRENT_SOURCE_DIR}/dataset/no_caption.cpp)
-if(PROSPECT_SERVICES)  # these need OpenCV, so it is there
-  find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+if(OpenCV_FOUND)
   set(sheet_caption ${CMAKE_CURRENT_SOURCE_DIR}/dataset/caption.cpp)
 endif()
 add_library(prospect_dataset_tool STATIC
@@ -12,7 +11,7 @@ add_library(prospect_dataset_tool STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/dataset/sheet.cpp ${sheet_caption})
 prospect_target(prospect_dataset_tool)
 target_link_libraries(prospect_dataset_tool PUBLIC prospect_dataset prospect_sim prospect_tools_common)
-if(PROSPECT_SERVICES)
+if(OpenCV_FOUND)
   target_include_directories(prospect_dataset_tool SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
   target_link_libraries(prospect_dataset_tool PRIVATE opencv_core opencv_imgproc)
 endif()

@@ -15,6 +15,7 @@ if(TARGET prospect_executive_lib)
   find_package(nlohmann_json 3 REQUIRED)
   prospect_test(services_executive_test SOURCES parts/policy_test.cpp parts/report_test.cpp
     LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
+  target_compile_definitions(services_executive_test PRIVATE PROSPECT_PICTURES=$<BOOL:${OpenCV_FOUND}>)
 endif()
 if(TARGET prospect_replay_lib)
   prospect_test(services_replay_test SOURCES parts/journal_test.cpp LIBS prospect_replay_lib)

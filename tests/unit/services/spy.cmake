@@ -1,3 +1,6 @@
+if(NOT TARGET prospect_types_jar)  # no Java, no spy
+  return()
+endif()
 find_program(XVFB Xvfb REQUIRED)
 add_test(NAME services_spy_starts COMMAND ${WITH_BUS} ${CMAKE_CURRENT_SOURCE_DIR}/spy_starts.sh
   ${CMAKE_SOURCE_DIR}/services/spy/prospect-spy ${PROSPECT_JAR} ${PROSPECT_TYPE_COUNT})

@@ -1,0 +1,18 @@
+// For builds without OpenCV: the episode's figures are all in result.json.
+
+#include <spdlog/spdlog.h>
+
+#include "services/executive/episode_video.h"
+#include "services/executive/plan_picture.h"
+
+namespace prospect::services {
+
+void WritePlanPicture(const EpisodeRecord&, const std::string& path) {
+  spdlog::info("{} is not drawn: this build was made without OpenCV", path);
+}
+
+void WriteEpisodeVideo(const EpisodeRecord&, const std::string& path) {
+  spdlog::info("{} is not written: this build was made without OpenCV", path);
+}
+
+}  // namespace prospect::services
