@@ -1,11 +1,16 @@
 #include "model/dataset.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "model/hash.h"
@@ -13,6 +18,8 @@
 
 namespace prospect::model {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kImageName = "agentview_image";
 constexpr const char* kLandmarksName = "landmarks";
@@ -31,9 +38,37 @@ class AtomicFile {
   const std::string& temporary() const { return temporary_; }
   void Commit() const {
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-      throw DataError(path_ +
+      throw DiskError(path_ +
                       ": cannot be written (rename failed); check the folder's permissions");
     }
+  }
+
+  void Write(const std::vector<std::uint8_t>& bytes) const {
+    std::ofstream file(temporary_, std::ios::binary | std::ios::trunc);
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file)
+      throw DiskError(path_ + ": cannot be written; check the folder and the space on the disk");
+  }
+
+  // Takes the disk space of a file that libhdf5 has just created there, because libhdf5 crashes
+  // when it gives out under its hands.
+  void Reserve(std::uintmax_t bytes) const {
+    const int file = ::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
+    const int taken =
+        file < 0 ? -1 : ::fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes));
+    const bool full = file < 0 || (taken != 0 && (errno == ENOSPC || errno == EDQUOT));
+    if (file >= 0) ::close(file);
+    if (!full) return;  // or a file system that cannot reserve
+    throw DiskError(path_ + ": needs up to " + std::to_string((bytes >> 20) + 1) +
+                    " MB, and the disk is full; make room or choose another disk");
+  }
+
+  // Gives back what Reserve() took too much.
+  void Trim() const {
+    [[maybe_unused]] const int cut =
+        ::truncate(temporary_.c_str(), static_cast<off_t>(fs::file_size(temporary_)));
   }
 
  private:
@@ -339,21 +374,37 @@ void WriteTrialFile(const std::string& path, const Trial& trial) {
   ValidateTrial(trial);
   const AtomicFile target(path);
   {
-    hdf5::Handle file = hdf5::CreateFile(target.temporary());
+    hdf5::Handle file = hdf5::CreateInMemory(path);
     hdf5::Handle data = hdf5::CreateGroup(file, "data", path);
     WriteDemo(data, trial, path);
     WriteDataAttributes(data, trial, trial.frames(), path);
     WriteMasks(file, {trial.seed}, path);
-    hdf5::Check(H5Fflush(file, H5F_SCOPE_GLOBAL), path, "cannot be written; is the disk full?");
+    target.Write(hdf5::ImageOf(file, path));
   }
   target.Commit();
 }
+
+namespace {
+
+// No less than a data set of these trials needs.
+std::uintmax_t PackedBytes(const std::map<std::uint64_t, std::string>& by_seed) {
+  constexpr std::uintmax_t kOnce = 1 << 20, kEach = 256;  // masks, and names in the tree
+  std::set<std::string> parts;
+  std::uintmax_t bytes = kOnce + kEach * by_seed.size();
+  for (const auto& [seed, part] : by_seed) {
+    if (parts.insert(part).second) bytes += fs::file_size(part);
+  }
+  return bytes;
+}
+
+}  // namespace
 
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out) {
   const std::map<std::uint64_t, std::string> by_seed = PartsBySeed(parts);
   const AtomicFile target(out);
   {
     hdf5::Handle file = hdf5::CreateFile(target.temporary());
+    target.Reserve(PackedBytes(by_seed));
     hdf5::Handle data = hdf5::CreateGroup(file, "data", out);
     Packer packer(data, out);
     std::vector<std::uint64_t> seeds;
@@ -369,6 +420,7 @@ std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::str
     WriteMasks(file, seeds, out);
     hdf5::Check(H5Fflush(file, H5F_SCOPE_GLOBAL), out, "cannot be written; is the disk full?");
   }
+  target.Trim();
   target.Commit();
   return by_seed.size();
 }

@@ -31,16 +31,24 @@ class DataError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A data set cannot be written: the disk is full, or the folder is missing or read-only. The
+/// message names the file and says what to do.
+class DiskError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Writes a file that holds this one trial. Atomic: it is written under another name in the same
 /// folder and renamed when whole, so a file of that name is always complete. An existing file is
-/// replaced. Throws DataError if the trial is not valid (see ValidateTrial) or the file cannot be
-/// written.
+/// replaced. Throws DataError if the trial is not valid (see ValidateTrial), DiskError if the file
+/// cannot be written.
 void WriteTrialFile(const std::string& path, const Trial& trial);
 
 /// Joins files (each of one or more trials) into the data set `out`, in the order of their seeds,
 /// and writes the masks. Image chunks are copied without being unpacked. Atomic as WriteTrialFile.
 /// Returns the number of trials. Throws DataError on a damaged part, on a seed that comes twice, on
-/// seeds outside the collection range, or on trials of different tasks or image sizes.
+/// seeds outside the collection range, or on trials of different tasks or image sizes, and
+/// DiskError where there is no room for `out`.
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out);
 
 /// True if `path` is a whole trial file or data set that opens; never throws. For restartable

@@ -117,8 +117,28 @@ Handle OpenFile(const std::string& path) {
 
 Handle CreateFile(const std::string& path) {
   Quiet();
-  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path,
-                "cannot be created; check the folder and the space on the disk");
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file < 0)
+    throw DiskError(path + ": cannot be created; check the folder and the space on the disk");
+  return Handle(file, H5Fclose, path, "");
+}
+
+Handle CreateInMemory(const std::string& name) {
+  constexpr std::size_t kGrowBytes = 1 << 20;
+  Quiet();
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, name, "property list");
+  Check(H5Pset_fapl_core(access, kGrowBytes, /*backing_store=*/0), name, "memory file");
+  return Handle(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, name,
+                "cannot be built in memory");
+}
+
+std::vector<std::uint8_t> ImageOf(hid_t file, const std::string& name) {
+  Check(H5Fflush(file, H5F_SCOPE_GLOBAL), name, "cannot be built in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  std::vector<std::uint8_t> image(size > 0 ? static_cast<std::size_t>(size) : 0);
+  if (H5Fget_file_image(file, image.data(), image.size()) <= 0)
+    Fail(name, "cannot be built in memory");
+  return image;
 }
 
 Handle CreateGroup(hid_t parent, const std::string& name, const std::string& file) {

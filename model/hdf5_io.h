@@ -33,7 +33,12 @@ void Quiet();
 void Check(herr_t status, const std::string& file, const std::string& what);
 
 Handle OpenFile(const std::string& path);
+/// Throws DiskError.
 Handle CreateFile(const std::string& path);
+/// A file that is built in memory: libhdf5 crashes at exit when it could not write what it holds.
+Handle CreateInMemory(const std::string& name);
+/// The bytes of a file of CreateInMemory().
+std::vector<std::uint8_t> ImageOf(hid_t file, const std::string& name);
 Handle CreateGroup(hid_t parent, const std::string& name, const std::string& file);
 Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file);
 /// Names of the links in a group, in the order of names.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -25,6 +26,7 @@ constexpr const char* kMetadataKey = "prospect";
 std::string ReadBytes(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) Refuse(path, "cannot be opened; is the path right?");
+  if (std::filesystem::is_directory(path)) Refuse(path, "is a folder; name the file in it");
   std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (in.bad()) Refuse(path, "cannot be read");
   return bytes;

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "sim/stacking/stacking_task.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
+#include "tools/common/json_file.h"
 #include "tools/common/progress.h"
 
 namespace {
@@ -162,9 +162,7 @@ void Run(const Options& options) {
     Print(rows.back());
   }
   if (options.json_file.empty()) return;
-  std::ofstream out(options.json_file);
-  out << json{{"clearance", options.clearance}, {"rows", rows}}.dump(2) << '\n';
-  if (!out) throw std::runtime_error("cannot write " + options.json_file);
+  tools::WriteJsonFile(options.json_file, {{"clearance", options.clearance}, {"rows", rows}});
 }
 
 }  // namespace

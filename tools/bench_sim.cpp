@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include "sim/random_plan.h"
 #include "sim/task_factory.h"
 #include "tools/bench/cpu_clock.h"
+#include "tools/common/json_file.h"
 
 namespace {
 
@@ -127,9 +127,7 @@ void Run(const Options& options) {
   for (const std::string& task : options.tasks) rows.push_back(Row(task, options));
   Print(rows);
   if (options.json_file.empty()) return;
-  std::ofstream out(options.json_file);
-  out << json{{"rows", rows}}.dump(2) << '\n';
-  if (!out) throw std::runtime_error("cannot write " + options.json_file);
+  tools::WriteJsonFile(options.json_file, {{"rows", rows}});
 }
 
 }  // namespace

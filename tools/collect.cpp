@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +10,7 @@
 #include "model/dataset.h"
 #include "tools/collect/collector.h"
 #include "tools/common/causes.h"
+#include "tools/common/json_file.h"
 
 namespace {
 
@@ -73,7 +73,7 @@ void Print(const tools::CollectOptions& options, const tools::CollectSummary& su
 int Run(const tools::CollectOptions& options, const std::string& json_file) {
   const tools::CollectSummary summary = tools::Collect(options);
   Print(options, summary);
-  if (!json_file.empty()) std::ofstream(json_file) << Report(options, summary).dump(2) << '\n';
+  if (!json_file.empty()) tools::WriteJsonFile(json_file, Report(options, summary));
   return 0;
 }
 

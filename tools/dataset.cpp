@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "model/dataset.h"
 #include "sim/png.h"
+#include "tools/common/json_file.h"
 #include "tools/dataset/info.h"
 #include "tools/dataset/sheet.h"
 
@@ -25,9 +25,7 @@ int Info(const std::string& path, const std::string& json_file) {
   const tools::DataSetInfo info = tools::Inspect(model::TrialFile(path));
   tools::PrintInfo(info, stdout);
   if (json_file.empty()) return 0;
-  std::ofstream out(json_file);
-  out << tools::InfoJson(info).dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error(json_file + ": cannot be written");
+  tools::WriteJsonFile(json_file, tools::InfoJson(info));
   return 0;
 }
 

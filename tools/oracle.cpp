@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
+#include "tools/common/json_file.h"
 #include "tools/common/progress.h"
 
 namespace {
@@ -195,7 +195,7 @@ int Run(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const json report = Report(options, totals, seconds.count());
   Print(report);
-  if (!options.json_file.empty()) std::ofstream(options.json_file) << report.dump(2) << '\n';
+  if (!options.json_file.empty()) tools::WriteJsonFile(options.json_file, report);
   return 0;
 }
 

@@ -111,6 +111,10 @@ class FrameWriter : public sim::FrameSink {
     sim::WritePng(options_.frames + name, picture);
   }
 
+  void Finish() {
+    if (video_) video_->Finish();
+  }
+
  private:
   sim::Task* task_;
   const Options& options_;
@@ -131,6 +135,7 @@ int Run(const Options& options) {
   std::unique_ptr<FrameWriter> writer;
   if (every_tick) writer = std::make_unique<FrameWriter>(task.get(), options);
   const auto result = sim::RunPlan(*task, options.actions, writer.get());
+  if (writer) writer->Finish();
   if (result.reason == "illegal_action") {
     throw std::invalid_argument("--actions: action " +
                                 std::to_string(options.actions[result.actions_done]) +
@@ -160,6 +165,9 @@ int main(int argc, char** argv) {
     ReadSize(&options);
     ReadEpisode(&options);
     return Run(options);
+  } catch (const tools::EpisodeFileError& error) {
+    std::cerr << "prospect-view: " << error.what() << '\n';
+    return 14;
   } catch (const std::invalid_argument& error) {
     std::cerr << "prospect-view: " << error.what() << '\n';
     return 2;

@@ -46,7 +46,12 @@ void Create(const std::string& path, std::size_t bytes, const std::function<void
   if (file.fd < 0) Fail(temporary, "cannot be created");
   // Taking the space now turns a full disk into this error and not into a signal later.
   errno = ::posix_fallocate(file.fd, 0, static_cast<off_t>(bytes));
-  if (errno != 0) Fail(temporary, "needs " + std::to_string(bytes >> 20) + " MB on this disk");
+  if (errno != 0) {
+    const int reason = errno;
+    std::remove(temporary.c_str());
+    errno = reason;
+    Fail(path, "needs " + std::to_string((bytes >> 20) + 1) + " MB on this disk");
+  }
   void* data = Map(file, temporary, bytes, PROT_READ | PROT_WRITE);
   try {
     fill(data);

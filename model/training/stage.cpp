@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -53,6 +54,12 @@ struct Means {
   }
 };
 
+[[noreturn]] void FailToWrite(const std::string& path) {
+  throw std::runtime_error(path +
+                           ": cannot be written; check the folder and the space on the disk, then "
+                           "train again: it goes on from the last checkpoint");
+}
+
 /// The rows of DIR/curves.csv: stage,iteration,name,value. After a resume, rows of iterations that
 /// will be computed again are dropped first.
 class Curves {
@@ -67,6 +74,8 @@ class Curves {
     for (const auto& [name, value] : means) {
       out << stage_ << ',' << iteration << ',' << name << ',' << value << '\n';
     }
+    out.close();
+    if (!out) FailToWrite(path_);
   }
 
  private:
@@ -84,7 +93,10 @@ class Curves {
       if (Keeps(line, keep_to)) kept += line + "\n";
     }
     in.close();
-    std::ofstream(path_ + ".tmp") << kept;
+    std::ofstream out(path_ + ".tmp");
+    out << kept;
+    out.close();
+    if (!out) FailToWrite(path_);
     fs::rename(path_ + ".tmp", path_);
   }
 
@@ -123,7 +135,16 @@ class StageFile {
     torch::serialize::OutputArchive optimizer;
     adam_->save(optimizer);
     archive.write("optimizer", optimizer);
-    archive.save_to(path + ".tmp");
+    // By way of memory: libtorch ends the process when it cannot write a file.
+    std::ostringstream bytes;
+    archive.save_to(bytes);
+    std::ofstream out(path + ".tmp", std::ios::binary);
+    out << bytes.str();
+    out.close();
+    if (!out) {
+      fs::remove(path + ".tmp");
+      FailToWrite(path);
+    }
     fs::rename(path + ".tmp", path);
   }
 

@@ -45,7 +45,7 @@ class Parts {
     const std::string path = folder_ + "/trial_" + std::to_string(trial.seed) + ".h5";
     try {
       model::WriteTrialFile(path, trial);
-    } catch (const model::DataError& error) {
+    } catch (const model::DiskError& error) {
       throw ExitError(kExitDisk, error.what());
     }
     files_.push_back(path);
@@ -114,6 +114,8 @@ void Pack(const std::vector<std::string>& files, const std::string& out) {
     model::PackTrialFiles(files, out);
   } catch (const model::DataError& error) {
     throw ExitError(kExitDataFile, error.what());
+  } catch (const model::DiskError& error) {
+    throw ExitError(kExitDisk, error.what());
   }
 }
 

@@ -8,7 +8,9 @@ namespace prospect::sim {
 
 YamlReader::YamlReader(YAML::Node node, std::string path)
     : node_(std::move(node)), path_(std::move(path)) {
-  if (!node_.IsMap()) throw SceneFileError(path_ + ": must be a map of names to values");
+  if (!node_.IsMap())
+    throw SceneFileError((path_.empty() ? "the scene file" : path_) +
+                         ": must be a map of names to values");
 }
 
 bool YamlReader::Has(const std::string& key) const { return static_cast<bool>(node_[key]); }

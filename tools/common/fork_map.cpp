@@ -4,7 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
@@ -19,6 +20,7 @@ struct Child {
   pid_t pid = -1;
   int fd = -1;
   std::string pending;  // bytes of a line that has not ended yet
+  std::string error;    // of the exception that ended it
 };
 
 void WriteAll(int fd, const std::string& text) {
@@ -30,20 +32,28 @@ void WriteAll(int fd, const std::string& text) {
   }
 }
 
+// What takes the place of an item's number before the words of an exception.
+constexpr int kFailed = -1;
+
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 // Never returns: a child must not run the parent's destructors or flush its buffers.
 [[noreturn]] void RunChild(int fd, int first, int items, int jobs,
                            const std::function<Work()>& make_work) {
-  int code = 0;
   try {
     const Work work = make_work();
     for (int i = first; i < items; i += jobs) {
       WriteAll(fd, std::to_string(i) + " " + work(i) + "\n");
     }
+    _exit(0);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    code = 1;
+    const std::string words = std::to_string(kFailed) + " " + OneLine(error.what()) + "\n";
+    [[maybe_unused]] const ssize_t told = write(fd, words.data(), words.size());
   }
-  _exit(code);
+  _exit(1);
 }
 
 Child StartChild(int first, int items, int jobs, const std::function<Work()>& make_work) {
@@ -56,7 +66,7 @@ Child StartChild(int first, int items, int jobs, const std::function<Work()>& ma
     RunChild(ends[1], first, items, jobs, make_work);
   }
   close(ends[1]);
-  return {pid, ends[0], ""};
+  return {pid, ends[0], "", ""};
 }
 
 void DeliverLines(Child* child, const std::function<void(int, const std::string&)>& on_result) {
@@ -65,7 +75,12 @@ void DeliverLines(Child* child, const std::function<void(int, const std::string&
     const std::string line = child->pending.substr(0, end);
     child->pending.erase(0, end + 1);
     const std::size_t space = line.find(' ');
-    on_result(std::stoi(line.substr(0, space)), line.substr(space + 1));
+    const int item = std::stoi(line.substr(0, space));
+    if (item == kFailed) {
+      child->error = line.substr(space + 1);
+    } else {
+      on_result(item, line.substr(space + 1));
+    }
   }
 }
 
@@ -80,12 +95,16 @@ bool ReadSome(Child* child) {
 
 void Reap(const std::vector<Child>& children) {
   bool failed = false;
+  std::string error;
   for (const Child& child : children) {
     int status = 0;
     waitpid(child.pid, &status, 0);
     failed = failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+    if (error.empty()) error = child.error;
   }
-  if (failed) throw std::runtime_error("a worker process ended before its work was done");
+  if (!failed) return;
+  if (error.empty()) error = "a worker process ended before its work was done";
+  throw std::runtime_error(error);
 }
 
 }  // namespace

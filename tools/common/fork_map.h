@@ -11,7 +11,8 @@ namespace prospect::tools {
 //
 // `work` runs in a child and returns one line of text (no newline inside); `on_result` runs in the
 // caller's process, in the order in which results arrive. With jobs <= 1 everything runs in the
-// caller. Throws std::runtime_error when a child died before it had done its items.
+// caller. Throws std::runtime_error when a child died before it had done its items, with
+// the words of the exception that ended it if there was one.
 void ForkMap(int items, int jobs, const std::function<std::function<std::string(int)>()>& make_work,
              const std::function<void(int, const std::string&)>& on_result);
 

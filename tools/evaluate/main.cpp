@@ -3,17 +3,20 @@
 // world as the services, in one process a job.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "model/calibration.h"
 #include "model/engine.h"
+#include "model/weights.h"
+#include "planner/selection_rule.h"
 #include "sim/oracle.h"
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
+#include "tools/common/json_file.h"
 #include "tools/common/progress.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
@@ -117,9 +120,7 @@ class Bench {
     if (row == "simulator_model") return MakeSimulatorModel(search);
     if (row == "random") return MakeRandom();
     if (row == "nothing") return MakeNothing();
-    throw std::invalid_argument(
-        "unknown row '" + row +
-        "'; known: planner, nothing, random, greedy, exhaustive, simulator_model");
+    throw std::logic_error("row " + row + " was checked before");
   }
 
   static json ToJson(const EpisodeRecord& record) {
@@ -135,6 +136,25 @@ class Bench {
   sim::OracleCache cache_;
   std::vector<std::pair<std::string, std::unique_ptr<Decider>>> deciders_;
 };
+
+// Refuses what no process could do, before any starts. Throws std::invalid_argument or
+// model::WeightsError.
+void CheckInputs(const Options& options) {
+  const std::vector<std::string> known = Options().rows;
+  for (const std::string& row : options.rows) {
+    if (std::find(known.begin(), known.end(), row) != known.end()) continue;
+    throw std::invalid_argument(
+        "unknown row '" + row +
+        "'; known: planner, nothing, random, greedy, exhaustive, simulator_model");
+  }
+  planner::MakeSelectionRule(options.search.rule, 1, 1);
+  sim::MakeTask(options.task, options.world);
+  const std::string made_for =
+      model::ReadWeights(options.weights).metadata.value("task", std::string());
+  if (made_for == options.task) return;
+  throw model::WeightsError(options.weights + ": was trained for task '" + made_for +
+                            "', not for '" + options.task + "': give --weights of that task");
+}
 
 std::vector<SceneRecord> RunScenes(const Options& options) {
   std::vector<SceneRecord> scenes(options.scenes);
@@ -191,6 +211,7 @@ int Main(int argc, char** argv) {
   if (options.calibrate) PrepareCalibration(&options);
   if (options.rows.empty() || options.rows.front() != "planner")
     options.rows.insert(options.rows.begin(), "planner");
+  CheckInputs(options);
   const std::vector<SceneRecord> scenes = RunScenes(options);
   json summary = Summarise(scenes, options.rows);
   std::cout << Table(summary, options.rows);
@@ -202,11 +223,13 @@ int Main(int argc, char** argv) {
   summary["legs"] = options.world.legs;
   summary["samples"] = options.search.samples;
   summary["records"] = scenes;
-  std::ofstream out(options.json_file);
-  out << summary.dump(1) << "\n";
-  if (out.flush()) return 0;
-  std::cerr << "prospect: cannot write " << options.json_file << "\n";
-  return 13;
+  try {
+    WriteJsonFile(options.json_file, summary, 1);
+  } catch (const std::exception& error) {
+    std::cerr << "prospect-evaluate: " << error.what() << "\n";
+    return 13;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -216,10 +239,10 @@ int main(int argc, char** argv) {
   try {
     return prospect::tools::Main(argc, argv);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect: " << error.what() << "\n";
+    std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << "prospect: " << error.what() << "\n";
+    std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 10;
   }
 }

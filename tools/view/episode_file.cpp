@@ -8,7 +8,7 @@ namespace prospect::tools {
 
 CarriedOut ReadEpisodeResult(const std::string& path) {
   std::ifstream in(path);
-  if (!in) throw std::invalid_argument("cannot read " + path);
+  if (!in) throw EpisodeFileError("cannot read " + path + ": give the result.json of an episode");
   try {
     const nlohmann::json result = nlohmann::json::parse(in);
     CarriedOut episode;
@@ -19,7 +19,7 @@ CarriedOut ReadEpisodeResult(const std::string& path) {
     for (const auto& act : result.at("acts")) episode.actions.push_back(act.at("action"));
     return episode;
   } catch (const nlohmann::json::exception&) {
-    throw std::invalid_argument(path + " is not the result.json of an episode");
+    throw EpisodeFileError(path + " is not the result.json of an episode");
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,11 @@ struct CarriedOut {
   std::vector<int> actions;
 };
 
-// Throws std::invalid_argument, naming the file, if it cannot be read or is no result of an
-// episode.
+struct EpisodeFileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws EpisodeFileError, naming the file, if it cannot be read or is no result of an episode.
 CarriedOut ReadEpisodeResult(const std::string& path);
 
 }  // namespace prospect::tools

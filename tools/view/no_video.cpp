@@ -16,4 +16,6 @@ Video::~Video() = default;
 
 void Video::Add(const sim::Image&) {}
 
+void Video::Finish() {}
+
 }  // namespace prospect::tools

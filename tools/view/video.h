@@ -17,6 +17,9 @@ class Video {
   // `picture` has the video's size.
   void Add(const sim::Image& picture);
 
+  // Call once, after the last picture. Throws std::runtime_error if the file is not whole.
+  void Finish();
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

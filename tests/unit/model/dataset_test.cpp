@@ -86,8 +86,8 @@ TEST_F(DatasetTest, NoTemporaryFileIsLeft) {
 TEST_F(DatasetTest, AnUnwritableFolderIsAnErrorThatNamesTheFile) {
   try {
     WriteTrialFile(Path("absent/t.h5"), MadeTrial(1));
-    FAIL() << "expected DataError";
-  } catch (const DataError& error) {
+    FAIL() << "expected DiskError";
+  } catch (const DiskError& error) {
     EXPECT_NE(std::string(error.what()).find("absent/t.h5"), std::string::npos) << error.what();
   }
 }

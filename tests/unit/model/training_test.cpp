@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -159,6 +161,62 @@ TEST_F(TrainingTest, AKilledRunContinuesToTheSameWeights) {
   EXPECT_TRUE(resumed.Run(-1));
   EXPECT_TRUE(resumed.Weights().equal(whole.Weights()));
   EXPECT_EQ(Bytes(folder_ / "killed/curves.csv"), Bytes(folder_ / "whole/curves.csv"));
+}
+
+/// While one lives, this process can make no file longer than `bytes`: as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  sighandler_t handler_;
+  rlimit before_{};
+};
+
+std::string WhyItEnds(EncoderRun& run) {
+  try {
+    run.Run(-1);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "it did not";
+}
+
+TEST_F(TrainingTest, AFullDiskEndsTheRunAndLosesNoCheckpoint) {
+  const TrainConfig config = TinyConfig();
+  EncoderRun begun(config, folder_ / "all.h5", folder_ / "run");
+  EXPECT_FALSE(begun.Run(26));
+  const std::string checkpoint = folder_ / "run/stage-encoder-decoder.checkpoint";
+  const std::string kept = Bytes(checkpoint);
+  ASSERT_GT(kept.size(), 10000u);
+  {
+    EncoderRun run(config, folder_ / "all.h5", folder_ / "run");
+    const FileSizeLimit limit(8000);
+    const std::string why = WhyItEnds(run);
+    EXPECT_NE(why.find("run/stage-encoder-decoder"), std::string::npos) << why;
+    EXPECT_NE(why.find("space on the disk"), std::string::npos) << why;
+    EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+  }
+  EXPECT_EQ(Bytes(checkpoint), kept);
+  {
+    EncoderRun run(config, folder_ / "all.h5", folder_ / "run");
+    const std::string curves = Bytes(folder_ / "run/curves.csv");
+    const FileSizeLimit limit(20);
+    EXPECT_NE(WhyItEnds(run).find("curves.csv"), std::string::npos);
+    EXPECT_EQ(Bytes(folder_ / "run/curves.csv"), curves);
+  }
+  EncoderRun resumed(config, folder_ / "all.h5", folder_ / "run");
+  EXPECT_TRUE(resumed.Run(-1)) << "with room again it goes on";
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
 }
 
 TEST_F(TrainingTest, ThreadsDoNotChangeTheResult) {
