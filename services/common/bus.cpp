@@ -11,6 +11,7 @@
 #include <deque>
 #include <iterator>
 #include <mutex>
+#include <utility>
 
 #include "services/common/chaos.h"
 #include "services/common/clock.h"
@@ -27,6 +28,27 @@ std::string Quote(const std::string& channel) {
   }
   return pattern;
 }
+
+// LCM tells stderr in its own words what it finds wrong with an address, before our one line says
+// what to do: while one lives, these go nowhere. Only for the moment of opening a bus.
+class HushedStderr {
+ public:
+  HushedStderr() : stderr_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (stderr_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) close(nowhere);
+  }
+  ~HushedStderr() {
+    if (stderr_ < 0) return;
+    dup2(stderr_, STDERR_FILENO);
+    close(stderr_);
+  }
+  HushedStderr(const HushedStderr&) = delete;
+  HushedStderr& operator=(const HushedStderr&) = delete;
+
+ private:
+  int stderr_;
+};
 
 std::unique_ptr<Chaos> MakeChaos(const std::string& text) {
   auto rules = ParseChaos(text);
@@ -79,9 +101,24 @@ struct Bus::Connection {
     [[maybe_unused]] const ssize_t got = read(wake_fd, &wakes, sizeof wakes);
   }
 
+  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes
+  // it do so now. A relay that does not answer leaves LCM without a socket.
+  bool Opened(const std::string& url) {
+    const HushedStderr hushed;
+    lcm = lcm_create(url.c_str());
+    if (lcm && Subscribe("PROSPECT_SELF_TEST", 1) && HasSocket()) return true;
+    if (lcm) lcm_destroy(std::exchange(lcm, nullptr));
+    return false;
+  }
+
+  // Not so while the relay of a tcpq bus is away: LCM connects again with the next message sent,
+  // and must not be asked for arrivals before (it aborts the process).
+  bool HasSocket() const { return lcm_get_fileno(lcm) >= 0; }
+
   // Takes what LCM holds, without waiting.
   void Drain() {
-    while (static_cast<int>(arrived.size()) < kMaxPerPoll && lcm_handle_timeout(lcm, 0) > 0) {
+    while (static_cast<int>(arrived.size()) < kMaxPerPoll && HasSocket() &&
+           lcm_handle_timeout(lcm, 0) > 0) {
     }
     if (out_of_memory) throw std::bad_alloc();
   }
@@ -92,12 +129,7 @@ Bus::Bus(const std::string& url, const std::string& chaos)
       chaos_(MakeChaos(chaos.empty() ? ChaosText() : chaos)),
       connection_(std::make_unique<Connection>()) {
   connection_->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  connection_->lcm = lcm_create(url_.c_str());
-  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes
-  // it do so now.
-  if (!connection_->lcm || !connection_->Subscribe("PROSPECT_SELF_TEST", 1)) {
-    throw BusError(BusAdvice(url_));
-  }
+  if (!connection_->Opened(url_)) throw BusError(BusAdvice(url_));
   const std::string warning = ReceiveBufferWarning(url_);
   if (!warning.empty()) spdlog::warn("{}", warning);
 }

@@ -50,6 +50,12 @@ std::string ReceiveBufferWarning(const std::string& url) {
 }
 
 std::string BusAdvice(const std::string& url) {
+  if (url.rfind("tcpq://", 0) == 0) {
+    return "cannot open the bus '" + url +
+           "': no relay answers there: start the relay (docs/network.md), or check host and port "
+           "of "
+           "the URL (--bus or LCM_DEFAULT_URL)";
+  }
   if (!IsUdp(url)) {
     return "cannot open the bus '" + url +
            "': the URL must be like udpm://239.255.76.67:7667?ttl=0 (also tcpq://HOST:PORT, "

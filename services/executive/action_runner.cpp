@@ -64,11 +64,8 @@ void ActionRunner::AwaitEnd(const action_command_t& command) {
   const auto limit_ms = static_cast<std::int64_t>(
       1000 * (talk_.view().task()->action_time_limit + kLimitSlackSeconds));
   const std::int64_t deadline_ms = SteadyMs() + limit_ms;
-  std::int64_t heard_utime = 0, heard_ms = SteadyMs();
   const auto quiet_or_ended = [&] {
-    const std::int64_t utime = talk_.view().status()->utime;
-    if (utime != heard_utime) heard_utime = utime, heard_ms = SteadyMs();
-    return Ended(command.command_id) || SteadyMs() - heard_ms > kSilentMs;
+    return Ended(command.command_id) || SteadyMs() - talk_.view().status_heard_ms() > kSilentMs;
   };
   if (!talk_.Until(quiet_or_ended, deadline_ms - SteadyMs())) {
     throw ExitError(kExitTimeout,

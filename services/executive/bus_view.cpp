@@ -8,20 +8,28 @@ namespace {
 // Frames kept for the video: 10 minutes at 10 Hz, 74 MB at 64x64. An episode of ours lasts one.
 constexpr std::size_t kMostFrames = 6000;
 
+constexpr char kMisfit[] = "not the size that TASK says";
+
+std::string SizeText(std::int32_t width, std::int32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
 }  // namespace
 
 Picture PictureOf(const observation_t& observation) {
   return {observation.width, observation.height, observation.data};
 }
 
-BusView::BusView(Bus& bus) {
+BusView::BusView(Bus& bus) : bus_(bus) {
   bus.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
   bus.Subscribe<model_info_t>(
       [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
   bus.Subscribe<observation_t>(
       [this](const observation_t& observation) { OnObservation(observation); });
   bus.Subscribe<action_status_t>([this](const action_status_t& status) {
-    if (status.episode_id == episode_id_) status_ = status;
+    if (status.episode_id != episode_id_) return;
+    status_ = status;
+    status_heard_ms_ = SteadyMs();
   });
   bus.Subscribe<label_t>([this](const label_t& label) {
     if (label.episode_id == episode_id_) label_ = label;
@@ -36,7 +44,23 @@ void BusView::Follow(std::int64_t episode_id) {
   frames_.clear();
 }
 
+std::string BusView::PictureDefects() const {
+  const auto found = bus_.counters().find(ChannelOf<observation_t>());
+  if (found == bus_.counters().end()) return "";
+  std::string defects = misfit_;
+  for (const auto& [reason, count] : found->second.refused) {
+    if (reason != kMisfit) defects += (defects.empty() ? "" : "; ") + reason;
+  }
+  return defects;
+}
+
 void BusView::OnObservation(const observation_t& observation) {
+  if (!task_) return;
+  if (observation.width != task_->image_width || observation.height != task_->image_height) {
+    misfit_ = SizeText(observation.width, observation.height) + " pixels, where TASK says " +
+              SizeText(task_->image_width, task_->image_height);
+    return bus_.CountRefused(ChannelOf<observation_t>(), kMisfit);
+  }
   if (episode_id_ < 0) Follow(observation.episode_id);
   if (observation.episode_id != episode_id_) return;
   if (frames_.size() < kMostFrames) frames_[observation.frame] = PictureOf(observation);

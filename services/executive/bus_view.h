@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "services/binding/server_list.h"
@@ -25,22 +26,32 @@ class BusView {
 
   const std::optional<task_t>& task() const { return task_; }
   std::int64_t episode_id() const { return episode_id_; }
-  /// Latest picture of the episode, by frame number; nothing before the first.
+  /// Latest picture of the episode, by frame number; nothing before the first. A picture counts
+  /// once TASK is known and says its size; one of another size is refused and counted.
   const std::optional<observation_t>& latest() const { return latest_; }
   const std::optional<action_status_t>& status() const { return status_; }
+  /// When `status` was heard, on SteadyMs()'s clock.
+  std::int64_t status_heard_ms() const { return status_heard_ms_; }
   const std::optional<label_t>& label() const { return label_; }
   const ServerList& servers() const { return servers_; }
   /// Every picture of the episode heard so far, by frame number.
   const std::map<std::int64_t, Picture>& frames() const { return frames_; }
+  /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says
+  /// 64x64"); empty when there were none.
+  std::string PictureDefects() const;
 
  private:
   void OnObservation(const observation_t& observation);
+
+  Bus& bus_;
 
   ServerList servers_;
   std::optional<task_t> task_;
   std::int64_t episode_id_ = -1;
   std::optional<observation_t> latest_;
   std::optional<action_status_t> status_;
+  std::int64_t status_heard_ms_ = 0;
+  std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
   std::map<std::int64_t, Picture> frames_;
 };

@@ -1,10 +1,11 @@
 #include "services/executive/canvas.h"
 
-#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
-#include <stdexcept>
+#include <vector>
+
+#include "services/executive/report.h"
 
 namespace prospect::services {
 namespace {
@@ -78,14 +79,9 @@ void Canvas::Line(int x0, int x1, int y, const cv::Scalar& color) {
 
 void Canvas::Write(const std::string& path, int height) {
   Grow(height);
-  const std::string temporary = path + ".part.png";
-  std::error_code error;
-  if (cv::imwrite(temporary, sheet_.rowRange(0, height)))
-    std::filesystem::rename(temporary, path, error);
-  if (error || !std::filesystem::exists(path)) {
-    throw std::runtime_error("cannot write " + path +
-                             ": is the disk full or the folder read-only?");
-  }
+  std::vector<unsigned char> png;
+  cv::imencode(".png", sheet_.rowRange(0, height), png);
+  WriteText(path, {png.begin(), png.end()});
 }
 
 }  // namespace prospect::services

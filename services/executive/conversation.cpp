@@ -8,6 +8,8 @@ namespace prospect::services {
 namespace {
 
 constexpr std::int64_t kLongestWaitMs = 20;
+// HEALTH comes once a second.
+constexpr std::int64_t kHealthMs = 1500;
 
 }  // namespace
 
@@ -20,6 +22,35 @@ void Conversation::Turn(int wait_ms) {
   bus_.Poll(wait_ms);
   health_.Tick();
   if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");
+  RequireWorld();
+}
+
+std::set<std::int64_t> Conversation::LiveWorlds() const {
+  std::set<std::int64_t> live;
+  for (const auto& peer : monitor_.Alive("simulator")) live.insert(peer.health.instance_id);
+  return live;
+}
+
+void Conversation::HoldWorld() {
+  Until([this] { return !LiveWorlds().empty(); }, kHealthMs);
+  worlds_ = LiveWorlds();
+}
+
+void Conversation::RequireWorld() const {
+  if (worlds_.empty()) return;
+  const std::set<std::int64_t> live = LiveWorlds();
+  const bool newcomer =
+      std::any_of(live.begin(), live.end(), [this](auto id) { return worlds_.count(id) == 0; });
+  if (newcomer) {
+    throw ExitError(kExitServiceLost,
+                    "the simulator or robot was started again or another one came: the scene that "
+                    "was planned for is gone; run the episode again");
+  }
+  if (live.empty()) {
+    throw ExitError(kExitServiceLost,
+                    "the simulator or robot fell silent for 3 s: see its log, start it again "
+                    "(./prospect up), then run the episode again");
+  }
 }
 
 bool Conversation::Until(const std::function<bool()>& condition, std::int64_t timeout_ms,

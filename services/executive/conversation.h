@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 
 #include "services/common/bus.h"
 #include "services/common/clock.h"
@@ -18,8 +19,15 @@ class Conversation {
  public:
   explicit Conversation(Bus& bus);
 
-  /// Listens for at most `wait_ms`. Throws ExitError (kExitInterrupted) after SIGINT or SIGTERM.
+  /// Listens for at most `wait_ms`. Throws ExitError: kExitInterrupted after SIGINT or SIGTERM, and
+  /// kExitServiceLost as HoldWorld() says.
   void Turn(int wait_ms);
+
+  /// From now on the world is the one whose simulator or robot lives at this moment: when it falls
+  /// silent, or another takes its place (a simulator that was started again knows nothing of what
+  /// was done), every wait ends with kExitServiceLost. Nothing is watched where nobody says HEALTH
+  /// as "simulator".
+  void HoldWorld();
 
   /// Listens until `condition` holds (true) or `timeout_ms` have passed (false). `repeat`, if any,
   /// is called at once and then every `period_ms`: for what must be said again until it is heard.
@@ -41,10 +49,14 @@ class Conversation {
   std::int64_t id() const { return health_.instance_id(); }
 
  private:
+  std::set<std::int64_t> LiveWorlds() const;
+  void RequireWorld() const;
+
   Bus& bus_;
   HealthBeacon health_;
   HealthMonitor monitor_;
   BusView view_;
+  std::set<std::int64_t> worlds_;  // instances of "simulator" that lived at HoldWorld()
 };
 
 }  // namespace prospect::services

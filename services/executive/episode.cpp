@@ -90,7 +90,10 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
 }
 
 Episode::Episode(Conversation& talk, const ExecutiveOptions& options)
-    : talk_(talk), options_(options), session_(talk), predictions_(talk), actions_(talk) {}
+    : talk_(talk), options_(options), session_(talk), predictions_(talk), actions_(talk) {
+  record_.seed = options_.seed;
+  record_.policy = options_.policy;
+}
 
 EpisodeRecord Episode::Run() {
   Prepare();
@@ -110,10 +113,17 @@ EpisodeRecord Episode::Run() {
   return std::move(record_);
 }
 
+EpisodeRecord Episode::Stopped(const std::string& reason) {
+  Verdict("stopped", reason);
+  Conclude();
+  return std::move(record_);
+}
+
 void Episode::Prepare() {
   talk_.health().SetState(health_t::STATE_BUSY);
   auto since = Clock::now();
   AwaitServices(talk_, options_);
+  talk_.HoldWorld();
   AddSeconds("services", since);
   since = Clock::now();
   PrepareScene(talk_, options_);
@@ -124,7 +134,6 @@ void Episode::Prepare() {
   const task_t& task = *talk_.view().task();
   record_.task = task.name;
   record_.seed = talk_.view().episode_id();
-  record_.policy = options_.policy;
   record_.plan_length = task.plan_length;
   record_.first = PictureOf(first_);
   record_.frames_per_second = task.tick_seconds > 0 ? 1 / task.tick_seconds : 10;
@@ -268,11 +277,26 @@ void Episode::RunFixedPlan(const std::vector<int>& plan) {
   Verdict("stopped", "the given plan ended before the task was complete");
 }
 
+// When nobody knows how far an action came, the record tells that it was begun.
+action_status_t Episode::CarryOut(int action) {
+  try {
+    return actions_.CarryOut(action);
+  } catch (const ExitError& error) {
+    ActRecord act;
+    act.action = action;
+    act.name = ActionName(action);
+    act.observed = StateName(action_status_t::STATE_UNKNOWN);
+    act.reason = error.what();
+    record_.acts.push_back(act);
+    throw;
+  }
+}
+
 // Returns whether the episode goes on.
 bool Episode::Act(int action) {
   const auto since = Clock::now();
   const std::int64_t begun_us = latest_.sim_time_us;
-  const action_status_t status = actions_.CarryOut(action);
+  const action_status_t status = CarryOut(action);
   if (status.state == action_status_t::STATE_REFUSED) {
     Verdict(record_.acts.empty() ? "failed" : "stopped",
             ActionName(action) + " was refused: " + status.reason);

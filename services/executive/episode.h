@@ -27,6 +27,10 @@ class Episode {
   /// signal.
   EpisodeRecord Run();
 
+  /// After Run() threw: the episode as far as it came, "stopped" for this reason. What was carried
+  /// out is told even so.
+  EpisodeRecord Stopped(const std::string& reason);
+
  private:
   void Prepare();
   void RunSearchPolicy();
@@ -35,6 +39,7 @@ class Episode {
   SearchQuestion MakeQuestion() const;
   int LiveWorkers() const;
   bool Act(int action);
+  action_status_t CarryOut(int action);
   bool GoesOn(const action_status_t& status);
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;

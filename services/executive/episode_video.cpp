@@ -4,6 +4,8 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "tools/common/whole_mp4.h"
+
 namespace prospect::services {
 namespace {
 
@@ -29,6 +31,9 @@ void WriteEpisodeVideo(const EpisodeRecord& record, const std::string& path) {
   if (!video.isOpened())
     throw std::runtime_error("cannot write " + path + ": no MPEG-4 encoder, or no place to write");
   for (const auto& frame : record.frames) video.write(Enlarged(frame));
+  video.release();
+  if (!tools::IsWholeMp4(path))
+    throw std::runtime_error("cannot write " + path + ": is the disk full?");
 }
 
 }  // namespace prospect::services

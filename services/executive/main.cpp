@@ -100,11 +100,39 @@ void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode co
   try {
     std::filesystem::create_directories(out);
     WriteText(out + "/result.json", ResultJson(record, code));
+    if (record.first.empty()) return;  // it ended before the camera looked
     WritePlanPicture(record, out + "/plan.png");
     WriteEpisodeVideo(record, out + "/episode.mp4");
   } catch (const std::exception& error) {
     throw ExitError(kExitDisk, error.what());
   }
+}
+
+void Tell(const EpisodeRecord& record, const std::string& out, ExitCode code) {
+  if (!record.first.empty()) std::cout << PlanTable(record) << std::flush;
+  WriteFiles(record, out, code);
+}
+
+// As far as it came, so that result.json is never that of another episode.
+void TellStopped(Episode& episode, const std::string& out, const ExitError& error) {
+  try {
+    Tell(episode.Stopped(error.what()), out, error.code());
+  } catch (const ExitError& disk) {
+    spdlog::error("{}", disk.what());
+  }
+}
+
+int RunEpisode(Conversation& talk, const ExecutiveOptions& options) {
+  Episode episode(talk, options);
+  EpisodeRecord record;
+  try {
+    record = episode.Run();
+  } catch (const ExitError& error) {
+    TellStopped(episode, options.out, error);
+    throw;
+  }
+  Tell(record, options.out, CodeOf(record));
+  return CodeOf(record);
 }
 
 int Run(int argc, char** argv) {
@@ -129,11 +157,7 @@ int Run(int argc, char** argv) {
   Bus bus(common.bus);
   Conversation talk(bus);
   talk.monitor().RequireOwnBus();
-  const EpisodeRecord record = Episode(talk, options).Run();
-  const ExitCode code = CodeOf(record);
-  std::cout << PlanTable(record) << std::flush;
-  WriteFiles(record, options.out, code);
-  return code;
+  return RunEpisode(talk, options);
 }
 
 }  // namespace

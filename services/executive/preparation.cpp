@@ -54,6 +54,13 @@ bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
          (options.objects == 0 || objects == options.objects);
 }
 
+// Why no picture counts, and what to do.
+std::string CameraAdvice(Conversation& talk) {
+  const std::string defects = talk.view().PictureDefects();
+  if (defects.empty()) return "is the camera running?";
+  return "those that came were refused (" + defects + "): mend the camera's or TASK's size";
+}
+
 bool Fits(const model_info_t& info, const task_t& task) {
   return info.task == task.name && info.num_actions == task.num_actions &&
          info.image_width == task.image_width && info.image_height == task.image_height;
@@ -79,16 +86,18 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
   if (!options.reset) {
     talk.view().FollowAny();
     if (talk.Until([&] { return talk.view().latest().has_value(); }, kSceneTimeoutMs)) return;
-    throw ExitError(kExitTimeout, "no OBSERVATION within 10 s: is the camera running?");
+    throw ExitError(kExitTimeout, "no OBSERVATION within 10 s: " + CameraAdvice(talk));
   }
   talk.view().Follow(options.seed);
   const sim_command_t command = ResetCommand(talk, options);
   if (talk.Until([&] { return SceneStands(talk, options); }, kSceneTimeoutMs,
                  [&] { talk.Say(command); }))
     return;
-  throw ExitError(kExitTimeout,
-                  "the simulator did not put up scene " + std::to_string(options.seed) +
-                      " within 10 s: its log says why (objects or legs out of range?)");
+  const std::string what =
+      "the simulator did not put up scene " + std::to_string(options.seed) + " within 10 s: ";
+  throw ExitError(kExitTimeout, what + (talk.view().PictureDefects().empty()
+                                            ? "its log says why (objects or legs out of range?)"
+                                            : CameraAdvice(talk)));
 }
 
 model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
@@ -110,7 +119,7 @@ observation_t Look(Conversation& talk, std::int64_t frame) {
   const auto& latest = talk.view().latest();
   if (talk.Until([&] { return latest && latest->frame >= frame; }, kLookTimeoutMs)) return *latest;
   throw ExitError(kExitTimeout, "no picture of frame " + std::to_string(frame) +
-                                    " within 5 s: is the camera running?");
+                                    " within 5 s: " + CameraAdvice(talk));
 }
 
 }  // namespace prospect::services

@@ -158,9 +158,9 @@ void WriteText(const std::string& path, const std::string& text) {
   file.close();
   std::error_code error;
   if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error)
-    throw std::runtime_error("cannot write " + path +
-                             ": is the disk full or the folder read-only?");
+  if (file && !error) return;
+  std::filesystem::remove(temporary, error);
+  throw std::runtime_error("cannot write " + path + ": is the disk full or the folder read-only?");
 }
 
 }  // namespace prospect::services
