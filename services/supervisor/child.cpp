@@ -10,6 +10,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "services/common/run_main.h"
+
 namespace prospect::services {
 namespace {
 
@@ -35,7 +37,10 @@ int StartChild(const std::vector<std::string>& command, const std::string& log) 
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file < 0) throw std::runtime_error("cannot write " + log + ": " + std::strerror(errno));
+  if (file < 0) {
+    throw ExitError(kExitDisk, "cannot write " + log + " (" + std::strerror(errno) +
+                                   "): check the folder and the space left");
+  }
   const int parent = getpid();
   const pid_t pid = fork();
   if (pid == 0) Become(words, file, parent);

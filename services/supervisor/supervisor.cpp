@@ -13,6 +13,7 @@
 #include "services/common/clock.h"
 #include "services/common/ids.h"
 #include "services/common/json_file.h"
+#include "services/common/run_main.h"
 #include "services/supervisor/child.h"
 
 namespace prospect::services {
@@ -39,6 +40,7 @@ Supervisor::Supervisor(DeploymentSpec deployment, int workers, std::string state
   services_.emplace_back(ModelSpec(deployment_));
   if (deployment_.simulator) services_.emplace_back(SimulatorSpec(deployment_));
   Scale(workers);
+  WriteState();
   Turn();
 }
 
@@ -56,7 +58,16 @@ void Supervisor::Turn() {
   for (Service& service : services_) {
     if (service.state == State::kWaiting && now_ms >= service.due_ms) Start(&service);
   }
-  if (std::exchange(changed_, false)) WriteState();
+  if (std::exchange(changed_, false)) KeepState();
+}
+
+// A deployment that runs goes on when its disk is full.
+void Supervisor::KeepState() const {
+  try {
+    WriteState();
+  } catch (const ExitError& error) {
+    spdlog::error("{}; the services go on", error.what());
+  }
 }
 
 void Supervisor::Start(Service* service) {
@@ -150,6 +161,15 @@ json Supervisor::Describe(const Service& service) const {
 }
 
 void Supervisor::WriteState() const {
+  // The same for shells, before services.json, so that who reads that finds both: name, status,
+  // last words.
+  std::ofstream given_up(state_ + "/given_up");
+  for (const Service& service : services_) {
+    if (service.state != State::kGivenUp) continue;
+    given_up << service.spec.name << '\t' << service.last_exit << '\t' << service.last_words
+             << '\n';
+  }
+  given_up.close();
   json services = json::array();
   for (const Service& service : services_) services.push_back(Describe(service));
   WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
@@ -158,12 +178,6 @@ void Supervisor::WriteState() const {
                                             {"supervisor_pid", getpid()},
                                             {"logs", logs_},
                                             {"services", services}});
-  std::ofstream given_up(state_ + "/given_up");  // the same for shells: name, status, last words
-  for (const Service& service : services_) {
-    if (service.state != State::kGivenUp) continue;
-    given_up << service.spec.name << '\t' << service.last_exit << '\t' << service.last_words
-             << '\n';
-  }
 }
 
 }  // namespace prospect::services

@@ -61,6 +61,7 @@ class Supervisor {
   std::string LogOf(const Service& service) const;
   nlohmann::json Describe(const Service& service) const;
   void WriteState() const;
+  void KeepState() const;
 
   DeploymentSpec deployment_;
   std::string state_, logs_;
