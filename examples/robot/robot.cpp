@@ -20,17 +20,21 @@ const char* const kThings[] = {"barrel", "barricade", "pylon", "block",
                                "spool",  "generator", "cabin"};
 const double kWhere[kHere][2] = {{14, 50}, {50, 48}, {48, 14}, {16, 16}};  // pixels
 
-std::int64_t Now() {
-  const auto since = std::chrono::system_clock::now().time_since_epoch();
+// The wall clock may jump: it stamps messages, and all time-outs go by the steady one.
+template <class Clock>
+std::int64_t Microseconds() {
+  const auto since = Clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
+std::int64_t Now() { return Microseconds<std::chrono::steady_clock>(); }
+std::int64_t Utime() { return Microseconds<std::chrono::system_clock>(); }
 
 class Robot {
  public:
   explicit Robot(const std::string& bus) : lcm_(bus) {
     lcm_.subscribe("ACTION_COMMAND", &Robot::OnCommand, this);
     lcm_.subscribe("HEALTH", &Robot::OnHealth, this);
-    status_.episode_id = start_ / 1'000'000;  // any number that names this episode
+    status_.episode_id = id_ / 1'000'000;  // any number that names this episode
     status_.action = -1;
     status_.state = action_status_t::STATE_IDLE;
   }
@@ -106,7 +110,7 @@ class Robot {
   }
 
   void SayHealth() {
-    health_t h{0, "simulator", start_};  // whose place it takes
+    health_t h{0, "simulator", id_};  // whose place it takes
     h.state = health_t::STATE_READY;
     Publish("HEALTH", &h);
   }
@@ -132,12 +136,12 @@ class Robot {
 
   template <class T>
   void Publish(const char* channel, T* message) {
-    message->utime = Now();
+    message->utime = Utime();
     lcm_.publish(channel, message);
   }
 
   lcm::LCM lcm_;
-  const std::int64_t start_ = Now();
+  const std::int64_t id_ = Utime(), start_ = Now();
   action_status_t status_{};
   std::int64_t began_ = 0, heard_ = 0;
   int ticks_ = 0;
