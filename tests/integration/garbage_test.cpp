@@ -1,10 +1,15 @@
 // Bytes that are no messages, on every channel: nobody falls over, HEALTH counts them, and work
 // goes on.
 
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <random>
 #include <string>
+#include <vector>
 
 #include "lcmtypes/schema.h"
 #include "services/common/channels.h"
@@ -35,6 +40,61 @@ void SprayGarbage(services::Bus& bus, std::mt19937& random) {
     bus.PublishRaw(channel.name, Forged(channel.type_name, random, random() % 2000));
     bus.PublishRaw(channel.name, Forged(channel.type_name, random, 4));
   }
+}
+
+// Whatever a host may send to the bus's address and port, below LCM's own format.
+class DatagramSource {
+ public:
+  explicit DatagramSource(const std::string& url) : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+    const std::string prefix = "udpm://";
+    const std::size_t colon = url.find(':', prefix.size());
+    address_.sin_family = AF_INET;
+    address_.sin_port = htons(static_cast<std::uint16_t>(std::stoi(url.substr(colon + 1))));
+    inet_pton(AF_INET, url.substr(prefix.size(), colon - prefix.size()).c_str(),
+              &address_.sin_addr);
+    const unsigned char ttl = 0;
+    setsockopt(socket_, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
+  }
+  ~DatagramSource() { close(socket_); }
+
+  bool Send(const std::vector<std::uint8_t>& bytes) {
+    return sendto(socket_, bytes.data(), bytes.size(), 0,
+                  reinterpret_cast<const sockaddr*>(&address_),
+                  sizeof address_) == static_cast<ssize_t>(bytes.size());
+  }
+
+ private:
+  int socket_;
+  sockaddr_in address_{};
+};
+
+// LCM's word for "a message" (2) or "a part of one" (3), and nonsense behind it: no end of the
+// channel's name, parts of messages of any size, number and place.
+std::vector<std::uint8_t> HalfAnLcmPacket(std::uint8_t kind, std::mt19937& random) {
+  std::vector<std::uint8_t> bytes{'L', 'C', '0', kind};
+  const auto rest = RandomBytes(random, random() % 60);
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
+  return bytes;
+}
+
+TEST(Garbage, DatagramsThatAreNotOfLcmAreSurvived) {
+  Witness witness;
+  Deployment deployment("datagrams");
+  ASSERT_TRUE(deployment.Up(witness, 1));
+  DatagramSource source(witness.bus.url());
+  std::mt19937 random(11);
+  int sent = 0;
+  const auto spray = [&] {
+    sent += source.Send({}) + source.Send(RandomBytes(random, random() % 1400)) +
+            source.Send(HalfAnLcmPacket('2', random)) + source.Send(HalfAnLcmPacket('3', random));
+  };
+  auto& executive = deployment.Executive();
+  int code = -1;
+  ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000, spray));
+  EXPECT_GT(sent, 100);
+  EXPECT_TRUE(code == 0 || code == 4) << code;
+  for (const char* service : {"simulator", "model", "worker"})
+    EXPECT_TRUE(witness.Ready(service, 1)) << service;
 }
 
 TEST(Garbage, IsRefusedCountedAndSurvived) {

@@ -9,6 +9,7 @@
 #include "services/common/clock.h"
 #include "tests/integration/support/commander.h"
 #include "tests/integration/support/deployment.h"
+#include "tests/integration/support/stops_in_time.h"
 
 namespace prospect::tests {
 namespace {
@@ -41,11 +42,19 @@ TEST(Stopping, KilledExecutiveStopsTheRobot) {
   deployment.Simulator(kSlow);
   auto& executive = deployment.Executive({"--policy", "plan:0,1,2"});
   ASSERT_TRUE(witness.Until([&] { return UnderWay(witness); }, 15000));
-  executive.Signal(SIGKILL);
-  const std::int64_t killed_ms = services::SteadyMs();
-  ASSERT_TRUE(witness.Until([&] { return Cancelled(witness); }, 6000));
-  EXPECT_LT(ElapsedMs(killed_ms), 4500);
-  EXPECT_GT(ElapsedMs(killed_ms), 1500) << "one missing sign of life must not stop the robot";
+  ExpectTheRobotStopsWithout(executive, witness);
+}
+
+TEST(Stopping, KilledExecutiveStopsTheExample) {
+  Witness witness;
+  Deployment deployment("killed_example");
+  Process robot("example-robot", {witness.bus.url()}, deployment.folder + "/robot.log");
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
+  ASSERT_TRUE(witness.Until([&] { return InTheSecondAction(witness); }, 20000));
+  ExpectTheRobotStopsWithout(executive, witness);
+  const std::int64_t frame = witness.statuses.back().frame;
+  witness.Listen(1000);
+  EXPECT_EQ(witness.statuses.back().frame, frame) << "it should stand still";
 }
 
 TEST(Stopping, InterruptedExecutiveCancelsAtOnce) {

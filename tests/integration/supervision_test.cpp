@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/integration/support/deployment.h"
+#include "tests/integration/support/supervised.h"
 
 namespace prospect::tests {
 namespace {
@@ -26,41 +26,16 @@ bool IsAlive(int pid) {
   return name_end != std::string::npos && text.at(name_end + 2) != 'Z';
 }
 
-class Supervision : public testing::Test {
+class Supervision : public testing::Test, protected Supervised {
  protected:
   Supervision()
-      : folder(MakeFolder(std::string("supervision_") +
-                          testing::UnitTest::GetInstance()->current_test_info()->name())) {}
+      : Supervised(std::string("supervision_") +
+                   testing::UnitTest::GetInstance()->current_test_info()->name()) {}
 
   Process Start(const std::string& weights = "scripted:7") {
-    return Process("prospect-supervisor",
-                   {"--bus", witness.bus.url(), "--task", "navigation", "--weights", weights,
-                    "--workers", "2", "--state", folder, "--logs", folder, "--", "--objects", "7"},
-                   folder + "/supervisor.log");
-  }
-
-  // Service name -> what services.json says of it.
-  std::map<std::string, json> Services() const {
-    std::map<std::string, json> services;
-    const json file = json::parse(ReadText(folder + "/services.json"), nullptr, false);
-    if (file.is_discarded()) return services;
-    for (const json& service : file.at("services")) services[service.at("name")] = service;
-    return services;
-  }
-
-  bool AllReady(int workers) {
-    return witness.Until(
-        [&] {
-          return witness.Ready("simulator", 1) && witness.Ready("model", 1) &&
-                 witness.Ready("worker", workers);
-        },
-        20000);
-  }
-
-  std::vector<int> Pids() const {
-    std::vector<int> pids;
-    for (const auto& [name, service] : Services()) pids.push_back(service.at("pid"));
-    return pids;
+    Options options;
+    options.weights = weights;
+    return Supervised::Start(options);
   }
 
   bool AllGone(const std::vector<int>& pids) {
@@ -73,9 +48,6 @@ class Supervision : public testing::Test {
         },
         10000);
   }
-
-  Witness witness;
-  const std::string folder;
 };
 
 TEST_F(Supervision, StartsAgainWhatWasKilled) {

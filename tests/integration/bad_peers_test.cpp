@@ -1,0 +1,168 @@
+// Peers that say what does not fit: the executive ends with the right code and one line that names
+// it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "services/common/clock.h"
+#include "services/common/health.h"
+#include "tests/integration/support/deployment.h"
+
+namespace prospect::tests {
+namespace {
+
+constexpr int kTaskSide = 64;
+
+void Resize(int side, observation_t* picture) {
+  picture->width = picture->height = side;
+  picture->data.assign(static_cast<std::size_t>(side * side * 3), 90);
+}
+
+/// A robot whose TASK says 64x64 and whose camera does as it likes. Every action succeeds at once.
+class OddRobot {
+ public:
+  explicit OddRobot(Witness& witness) : witness_(witness), health_(witness.bus, "simulator") {
+    health_.SetState(health_t::STATE_READY);
+    status_.action = -1;
+    status_.episode_id = kEpisode;
+    status_.state = action_status_t::STATE_IDLE;
+  }
+
+  /// What it does to each picture, by the action's number (0 before the first).
+  std::function<void(int, observation_t*)> spoil;
+
+  // Every 20 ms through Witness::Until.
+  void Tick() {
+    health_.Tick();
+    Obey();
+    if (!due_.Due(services::SteadyMs())) return;
+    SayTask();
+    witness_.bus.Publish(status_);
+    Look();
+  }
+
+ private:
+  static constexpr std::int64_t kEpisode = 17;
+
+  void Obey() {
+    if (witness_.commands.empty()) return;
+    const action_command_t& command = witness_.commands.back();
+    if (command.command_id == status_.command_id) return;
+    status_.executive_id = command.executive_id;
+    status_.command_id = command.command_id;
+    status_.action = command.action;
+    status_.state = action_status_t::STATE_SUCCEEDED;
+    ++status_.frame;
+  }
+
+  void SayTask() {
+    task_t task{};
+    task.name = "navigation";
+    task.task_hash = 4711;
+    for (int i = 0; i < 4; ++i) {
+      action_t action{};
+      action.index = i;
+      action.name = "go(" + std::to_string(i) + ")";
+      action.successors = {0, 1, 2, 3};
+      task.actions.push_back(action);
+    }
+    task.initial = {0, 1, 2, 3};
+    task.plan_length = 3;
+    task.image_width = task.image_height = kTaskSide;
+    task.tick_seconds = 0.1;
+    task.action_time_limit = 10;
+    messages::SetCounts(task);
+    witness_.bus.Publish(task);
+  }
+
+  void Look() {
+    observation_t picture{};
+    picture.episode_id = kEpisode;
+    picture.frame = status_.frame;
+    picture.encoding = observation_t::ENCODING_RGB8;
+    Resize(kTaskSide, &picture);
+    if (spoil) spoil(static_cast<int>(status_.frame), &picture);
+    messages::SetCounts(picture);
+    witness_.bus.Publish(picture);
+  }
+
+  Witness& witness_;
+  services::HealthBeacon health_;
+  services::Periodic due_{200};
+  action_status_t status_{};
+};
+
+int EndOf(Process& executive, Witness& witness, OddRobot& robot) {
+  int code = -1;
+  witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 30000, [&] { robot.Tick(); });
+  return code;
+}
+
+// What the executive said last.
+std::string ErrorLine(const std::string& log) {
+  const std::size_t at = log.rfind("error: ");
+  return at == std::string::npos ? log : log.substr(at);
+}
+
+void ExpectNamed(const std::string& log, const std::vector<std::string>& words) {
+  const std::string line = ErrorLine(log);
+  for (const auto& word : words)
+    EXPECT_NE(line.find(word), std::string::npos) << word << ": " << log;
+  EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1) << line;
+}
+
+TEST(BadPeers, PicturesOfTheWrongSizeAreNamed) {
+  Witness witness;
+  Deployment deployment("wrong_size");
+  OddRobot robot(witness);
+  int pictures = 0;
+  robot.spoil = [&](int, observation_t* picture) {
+    if (++pictures % 2 == 0) Resize(32, picture);
+    if (pictures % 2 == 1) picture->data.resize(100);
+  };
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
+  EXPECT_EQ(EndOf(executive, witness, robot), 16);
+  ExpectNamed(deployment.Log("1-prospect-executive"),
+              {"OBSERVATION", "32x32", "64x64", "wrong picture size", "mend"});
+  EXPECT_TRUE(witness.commands.empty()) << "nothing may be done blindly";
+}
+
+TEST(BadPeers, ACameraThatChangesItsSizeIsNamed) {
+  Witness witness;
+  Deployment deployment("changed_size");
+  OddRobot robot(witness);
+  robot.spoil = [](int actions, observation_t* picture) {
+    if (actions > 0) Resize(48, picture);
+  };
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
+  EXPECT_EQ(EndOf(executive, witness, robot), 16);
+  ExpectNamed(deployment.Log("1-prospect-executive"), {"no picture of frame 1", "48x48", "64x64"});
+  EXPECT_EQ(deployment.Result().at("outcome"), "stopped");
+  EXPECT_EQ(deployment.Result().at("exit_code"), 16);
+  const auto starts = std::count_if(witness.commands.begin(), witness.commands.end(),
+                                    [](const auto& command) { return command.action > 0; });
+  EXPECT_EQ(starts, 0) << "no further action without a picture";
+}
+
+TEST(BadPeers, WeightsOfAnotherTaskAreNamed) {
+  Witness witness;
+  Deployment deployment("other_weights");
+  deployment.Simulator();
+  deployment.Worker();
+  Process server("prospect-model-server", {"--weights", "scripted-tree"},
+                 deployment.folder + "/server.log");
+  auto& executive = deployment.Executive();
+  int code = -1;
+  ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 30000));
+  EXPECT_EQ(code, 10);
+  ExpectNamed(deployment.Log("3-prospect-executive"),
+              {"weights", "'scripted-tree'", "--weights", "'navigation'"});
+  EXPECT_TRUE(witness.commands.empty());
+}
+
+}  // namespace
+}  // namespace prospect::tests
