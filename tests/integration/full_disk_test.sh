@@ -64,6 +64,31 @@ room
 [ -z "$pictures" ] ||
   expect 13 'disk/scene.mp4.*disk full' prospect-view --seed 1 --actions 0,1 --size 640x480 --video "$disk/scene.mp4"
 
+# --- A deployment whose disk fills up while it runs goes on: what is killed is started again.
+room
+mkdir logs
+prospect-supervisor --task navigation --weights scripted --workers 1 --state "$disk" --logs logs >supervisor.log 2>&1 &
+supervisor=$!
+prospect-bus wait --services simulator=1,model=1,worker=1 --seconds 20 >/dev/null 2>&1 || fault 'the deployment did not come up'
+head -c 200000 /dev/zero >"$disk/fill" 2>/dev/null
+worker() {
+  local pid
+  for pid in $(cat "/proc/$supervisor/task/$supervisor/children"); do
+    [ "$(cat "/proc/$pid/comm" 2>/dev/null)" = prospect-worker ] && echo "$pid"
+  done
+}
+first=$(worker)
+kill -KILL "$first"
+for _ in $(seq 100); do
+  now=$(worker)
+  [ -n "$now" ] && [ "$now" != "$first" ] && grep -q 'the services go on' supervisor.log && break
+  sleep 0.1
+done
+[ -n "$now" ] && [ "$now" != "$first" ] || fault "the worker was not started again: $(tail -2 supervisor.log)"
+grep -q 'services.json cannot be written.*the services go on' supervisor.log || fault 'the full disk was not told'
+kill "$supervisor"
+wait "$supervisor" 2>/dev/null
+
 # --- What runs: an executive keeps its answer on the screen, a worker without its journal stops, a supervisor does not start.
 prospect-simulator >simulator.log 2>&1 &
 prospect-model-server --weights scripted:7 >model.log 2>&1 &
