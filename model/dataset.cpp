@@ -262,6 +262,7 @@ class Packer {
     if (!(kind == kind_)) {
       throw DataError(part + ": another task, action table or image size than the other trials");
     }
+    ReadDemoLabels(source, seed, part);  // libhdf5 may crash when it copies what is damaged
     frames_ += hdf5::GetInteger(demo, "num_samples", part);
     hdf5::Check(H5Ocopy(source, name.c_str(), data_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), part,
                 "cannot be copied into " + out_ + "; damaged, or the disk is full");
