@@ -31,7 +31,7 @@ hsize_t Size(int n) { return static_cast<hsize_t>(n); }
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path)
-      : path_(std::move(path)), temporary_(path_ + ".tmp" + std::to_string(::getpid())) {}
+      : path_(std::move(path)), temporary_(TemporaryName(path_, ::getpid())) {}
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile() { std::remove(temporary_.c_str()); }
@@ -399,6 +399,10 @@ std::uintmax_t PackedBytes(const std::map<std::uint64_t, std::string>& by_seed) 
 }
 
 }  // namespace
+
+std::string TemporaryName(const std::string& path, int pid) {
+  return path + ".tmp" + std::to_string(pid);
+}
 
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out) {
   const std::map<std::uint64_t, std::string> by_seed = PartsBySeed(parts);

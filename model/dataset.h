@@ -51,6 +51,10 @@ void WriteTrialFile(const std::string& path, const Trial& trial);
 /// DiskError where there is no room for `out`.
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out);
 
+/// The name under which process `pid` writes the file `path` until it is whole. It stays behind
+/// when that process is killed.
+std::string TemporaryName(const std::string& path, int pid);
+
 /// True if `path` is a whole trial file or data set that opens; never throws. For restartable
 /// collectors.
 bool IsWholeTrialFile(const std::string& path);

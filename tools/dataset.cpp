@@ -1,9 +1,16 @@
 // prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures (DESIGN
 // §5).
 
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -97,6 +104,29 @@ int RunGuarded(const CLI::App& app, const Arguments& a) {
   }
 }
 
+// libhdf5 crashes on some damaged files (its H5Ocopy above all), so that a child does the work.
+int RunApart(const CLI::App& app, const Arguments& a) {
+  const pid_t child = fork();
+  if (child < 0) return RunGuarded(app, a);
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int code = RunGuarded(app, a);
+    std::fflush(nullptr);
+    _exit(code);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  std::remove(model::TemporaryName(a.out, child).c_str());
+  std::fprintf(
+      stderr,
+      "prospect-dataset: libhdf5 was stopped by '%s' on a damaged file: leave out files in "
+      "turn to find it, and make it anew\n",
+      strsignal(WTERMSIG(status)));
+  return kExitData;
+}
+
 }  // namespace
 }  // namespace prospect
 
@@ -110,5 +140,5 @@ int main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : prospect::kExitUsage;
   }
-  return prospect::RunGuarded(app, arguments);
+  return prospect::RunApart(app, arguments);
 }

@@ -115,6 +115,15 @@ for place in 0 9 40 96 140 300 700 900 1200 2000 2100 2300 3000 $((size / 4)) $(
     faults=$((faults + 1))
   fi
 done
+# A crash of libhdf5's own: the child that reads is struck while it waits for a pipe.
+mkfifo stuck.h5
+cat >struck <<'SH'
+prospect-dataset "$@" &
+until child=$(pgrep -P $!); do sleep 0.02; done
+kill -SEGV "$child"
+wait $!
+SH
+expect 14 'libhdf5 was stopped.*damaged file: leave out' bash struck info stuck.h5
 [ "$refused" -gt 0 ] || { echo 'FAULT no damage was seen' && faults=$((faults + 1)); }
 
 # --- Recordings, journals, results.
