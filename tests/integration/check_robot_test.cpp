@@ -39,6 +39,18 @@ TEST(CheckRobot, TheSimulatorPasses) {
             "ok");
 }
 
+TEST(CheckRobot, TheSimulatorPassesWhenItsEpisodeIsOver) {
+  Witness witness;
+  Deployment deployment("check_after_episode");
+  deployment.Simulator();
+  auto& executive = deployment.Executive({"--policy", "plan:0,1,3"});
+  int code = -1;
+  ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000));
+  const Checked checked = Check(witness, deployment.folder);
+  EXPECT_EQ(checked.code, 0) << ReadText(deployment.folder + "/check.log");
+  EXPECT_EQ(checked.verdicts.at("a START that fits is taken within 3 s"), "ok");
+}
+
 TEST(CheckRobot, TheExamplePasses) {
   Witness witness;
   const std::string folder = MakeFolder("check_example");
