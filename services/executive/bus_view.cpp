@@ -21,17 +21,22 @@ Picture PictureOf(const observation_t& observation) {
 }
 
 BusView::BusView(Bus& bus) : bus_(bus) {
-  bus.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
+  bus.Subscribe<task_t>([this](const task_t& task) {
+    world_heard_ms_ = SteadyMs();
+    task_ = task;
+  });
   bus.Subscribe<model_info_t>(
       [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
   bus.Subscribe<observation_t>(
       [this](const observation_t& observation) { OnObservation(observation); });
   bus.Subscribe<action_status_t>([this](const action_status_t& status) {
+    world_heard_ms_ = SteadyMs();
     if (status.episode_id != episode_id_) return;
     status_ = status;
     status_heard_ms_ = SteadyMs();
   });
   bus.Subscribe<label_t>([this](const label_t& label) {
+    world_heard_ms_ = SteadyMs();
     if (label.episode_id == episode_id_) label_ = label;
   });
 }
@@ -55,6 +60,7 @@ std::string BusView::PictureDefects() const {
 }
 
 void BusView::OnObservation(const observation_t& observation) {
+  world_heard_ms_ = SteadyMs();
   if (!task_) return;
   if (observation.width != task_->image_width || observation.height != task_->image_height) {
     misfit_ = SizeText(observation.width, observation.height) + " pixels, where TASK says " +

@@ -32,6 +32,9 @@ class BusView {
   const std::optional<action_status_t>& status() const { return status_; }
   /// When `status` was heard, on SteadyMs()'s clock.
   std::int64_t status_heard_ms() const { return status_heard_ms_; }
+  /// When anything that a simulator or robot says (HEALTH apart) was last heard, on SteadyMs()'s
+  /// clock; 0: never.
+  std::int64_t world_heard_ms() const { return world_heard_ms_; }
   const std::optional<label_t>& label() const { return label_; }
   const ServerList& servers() const { return servers_; }
   /// Every picture of the episode heard so far, by frame number.
@@ -51,6 +54,7 @@ class BusView {
   std::optional<observation_t> latest_;
   std::optional<action_status_t> status_;
   std::int64_t status_heard_ms_ = 0;
+  std::int64_t world_heard_ms_ = 0;
   std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
   std::map<std::int64_t, Picture> frames_;

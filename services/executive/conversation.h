@@ -24,9 +24,9 @@ class Conversation {
   void Turn(int wait_ms);
 
   /// From now on the world is the one whose simulator or robot lives at this moment: when it falls
-  /// silent, or another takes its place (a simulator that was started again knows nothing of what
-  /// was done), every wait ends with kExitServiceLost. Nothing is watched where nobody says HEALTH
-  /// as "simulator".
+  /// silent on all its channels, or another takes its place (a simulator that was started again
+  /// knows nothing of what was done), every wait ends with kExitServiceLost. Nothing is watched
+  /// where nobody says HEALTH as "simulator".
   void HoldWorld();
 
   /// Listens until `condition` holds (true) or `timeout_ms` have passed (false). `repeat`, if any,
