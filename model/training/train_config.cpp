@@ -42,11 +42,31 @@ TrainConfig Navigation() {
   return c;
 }
 
+// The paper's two linked steps and one camera; what small networks and few iterations need is as in
+// Navigation().
+TrainConfig Stacking() {
+  TrainConfig c;
+  c.network.num_actions = 36;
+  c.mids_per_segment = 2;
+  c.focus = 5.0;
+  c.landmark_weight = 2.0;
+  c.classifier = {2000, 16, 1e-3};
+  c.encoder_decoder = {4000, 16, 1.5e-3};
+  c.transform_hidden = {6000, 32, 1e-3};
+  c.transform_image = {600, 16, 3e-4};
+  c.heads = {3000, 32, 1e-3};
+  c.repeat_last = false;
+  c.done_weight = 0.2;
+  return c;
+}
+
 }  // namespace
 
 TrainConfig TrainConfigFor(const std::string& task) {
   if (task == "navigation") return Navigation();
-  throw std::invalid_argument("task '" + task + "': no training configuration; known: navigation");
+  if (task == "stacking") return Stacking();
+  throw std::invalid_argument("task '" + task +
+                              "': no training configuration; known: navigation, stacking");
 }
 
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
