@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "services/common/clock.h"
 #include "services/common/health.h"
+#include "services/common/health_monitor.h"
 #include "tests/integration/support/deployment.h"
 
 namespace prospect::tests {
@@ -34,10 +36,14 @@ class OddRobot {
 
   /// What it does to each picture, by the action's number (0 before the first).
   std::function<void(int, observation_t*)> spoil;
+  /// How long an action takes it.
+  std::int64_t action_ms = 0;
+  /// From the first command on its HEALTH gets lost, and nothing else.
+  bool health_gets_lost = false;
 
   // Every 20 ms through Witness::Until.
   void Tick() {
-    health_.Tick();
+    if (!health_gets_lost || witness_.commands.empty()) health_.Tick();
     Obey();
     if (!due_.Due(services::SteadyMs())) return;
     SayTask();
@@ -51,10 +57,15 @@ class OddRobot {
   void Obey() {
     if (witness_.commands.empty()) return;
     const action_command_t& command = witness_.commands.back();
-    if (command.command_id == status_.command_id) return;
-    status_.executive_id = command.executive_id;
-    status_.command_id = command.command_id;
-    status_.action = command.action;
+    const std::int64_t now_ms = services::SteadyMs();
+    if (command.command_id != status_.command_id) {
+      status_.executive_id = command.executive_id;
+      status_.command_id = command.command_id;
+      status_.action = command.action;
+      status_.state = action_status_t::STATE_RUNNING;
+      begun_ms_ = now_ms;
+    }
+    if (status_.state != action_status_t::STATE_RUNNING || now_ms - begun_ms_ < action_ms) return;
     status_.state = action_status_t::STATE_SUCCEEDED;
     ++status_.frame;
   }
@@ -94,6 +105,7 @@ class OddRobot {
   services::HealthBeacon health_;
   services::Periodic due_{200};
   action_status_t status_{};
+  std::int64_t begun_ms_ = 0;
 };
 
 int EndOf(Process& executive, Witness& witness, OddRobot& robot) {
@@ -146,6 +158,21 @@ TEST(BadPeers, ACameraThatChangesItsSizeIsNamed) {
   const auto starts = std::count_if(witness.commands.begin(), witness.commands.end(),
                                     [](const auto& command) { return command.action > 0; });
   EXPECT_EQ(starts, 0) << "no further action without a picture";
+}
+
+TEST(BadPeers, LossOfHealthAloneDoesNotEndAnEpisode) {
+  Witness witness;
+  Deployment deployment("lost_health");
+  OddRobot robot(witness);
+  robot.health_gets_lost = true;
+  robot.action_ms = services::HealthMonitor::kDeadMs + 1000;
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1"});
+  EXPECT_NE(EndOf(executive, witness, robot), 15) << deployment.Log("1-prospect-executive");
+  std::set<int> done;
+  for (const auto& command : witness.commands) {
+    if (command.kind == action_command_t::KIND_START) done.insert(command.action);
+  }
+  EXPECT_EQ(done, (std::set<int>{0, 1}));
 }
 
 TEST(BadPeers, WeightsOfAnotherTaskAreNamed) {
