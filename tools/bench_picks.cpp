@@ -31,7 +31,7 @@ constexpr std::uint64_t kPairStream = 0x7069636b73ULL;
 struct Options {
   int scenes = 500;
   std::uint64_t seed = 1'000'000;
-  double clearance = 0.20, arm_clearance = 0.20;
+  double clearance = 0.20;
   std::vector<double> noise = {0, 1};
   int jobs = 2;
   std::string json_file;
@@ -47,11 +47,6 @@ void AddOptions(CLI::App* app, Options* options) {
                   "Metres between the obstacle and both blocks and the line between these")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app->add_option("--arm-clearance", options->arm_clearance,
-                  "Metres between the obstacle and the lines from the robot's foot to both blocks, "
-                  "over which the arm stands; 0: it may stand in the arm's way")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
   app->add_option("--noise", options->noise,
                   "Scales of the execution noise; 0: none, 1: the scene file's")
       ->delimiter(',');
@@ -63,29 +58,18 @@ void AddOptions(CLI::App* app, Options* options) {
 
 constexpr double kObstacleRadius = 0.025, kHalfBlock = 0.025;  // m, as in the default scene
 
-Eigen::Vector2d OnTable(const Eigen::Isometry3d& pose) { return pose.translation().head<2>(); }
-
-double ToLine(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d way = b - a;
-  const double along = std::clamp((point - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-  return (a + along * way - point).norm();
-}
-
 // Metres between the obstacle's surface and the nearest of the two blocks' surfaces and the line
 // between their centres, on the table.
 double Clearance(const sim::StackingScene& scene, int pick, int place) {
-  const Eigen::Vector2d a = OnTable(scene.blocks[pick]), b = OnTable(scene.blocks[place]);
-  const Eigen::Vector2d obstacle = OnTable(scene.obstacle);
+  const auto flat = [](const Eigen::Isometry3d& pose) {
+    return Eigen::Vector2d(pose.translation().head<2>());
+  };
+  const Eigen::Vector2d a = flat(scene.blocks[pick]), b = flat(scene.blocks[place]);
+  const Eigen::Vector2d way = b - a, obstacle = flat(scene.obstacle);
+  const double along = std::clamp((obstacle - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  const double to_line = (a + along * way - obstacle).norm();
   const double to_block = std::min((a - obstacle).norm(), (b - obstacle).norm());
-  return std::min(ToLine(obstacle, a, b), to_block - kHalfBlock) - kObstacleRadius;
-}
-
-// The same between the obstacle's surface and the lines from the robot's foot (the origin).
-double ArmClearance(const sim::StackingScene& scene, int pick, int place) {
-  const Eigen::Vector2d foot = Eigen::Vector2d::Zero(), obstacle = OnTable(scene.obstacle);
-  return std::min(ToLine(obstacle, foot, OnTable(scene.blocks[pick])),
-                  ToLine(obstacle, foot, OnTable(scene.blocks[place]))) -
-         kObstacleRadius;
+  return std::min(to_line, to_block - kHalfBlock) - kObstacleRadius;
 }
 
 struct Pair {
@@ -95,15 +79,14 @@ struct Pair {
 
 // One of the scene's pairs that are clear of the obstacle, at random.
 std::optional<Pair> ClearPair(const sim::StackingScene& scene, std::uint64_t seed,
-                              const Options& options) {
+                              double clearance) {
   std::vector<Pair> pairs;
   const int blocks = static_cast<int>(scene.blocks.size());
   for (int pick = 0; pick < blocks; ++pick) {
     for (int place = 0; place < blocks; ++place) {
-      if (pick == place || Clearance(scene, pick, place) <= options.clearance) continue;
-      const bool arm_is_free =
-          options.arm_clearance == 0 || ArmClearance(scene, pick, place) > options.arm_clearance;
-      if (arm_is_free) pairs.push_back({seed, pick, place});
+      if (pick != place && Clearance(scene, pick, place) > clearance) {
+        pairs.push_back({seed, pick, place});
+      }
     }
   }
   if (pairs.empty()) return std::nullopt;
@@ -119,7 +102,7 @@ std::vector<Pair> FindPairs(const Options& options) {
       throw std::invalid_argument("no scene has so much room: lower --clearance");
     }
     task.Reset(seed);
-    if (const auto pair = ClearPair(task.scene(), seed, options)) pairs.push_back(*pair);
+    if (const auto pair = ClearPair(task.scene(), seed, options.clearance)) pairs.push_back(*pair);
   }
   return pairs;
 }
@@ -179,9 +162,7 @@ void Run(const Options& options) {
     Print(rows.back());
   }
   if (options.json_file.empty()) return;
-  tools::WriteJsonFile(
-      options.json_file,
-      {{"clearance", options.clearance}, {"arm_clearance", options.arm_clearance}, {"rows", rows}});
+  tools::WriteJsonFile(options.json_file, {{"clearance", options.clearance}, {"rows", rows}});
 }
 
 }  // namespace

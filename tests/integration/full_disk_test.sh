@@ -107,6 +107,8 @@ compgen -G "$disk/out/*.part" >/dev/null && fault 'half a result was left behind
 room
 [ -z "$pictures" ] || expect 13 'disk/out/(plan.png|episode.mp4): ' "${episode[@]}" --out "$disk/out"
 [ -z "$pictures" ] || grep -q '"outcome": "' "$disk/out/result.json" || fault 'what fits should be written'
+room
+expect 13 'the recording has ended: .*No space left' "$root/prospect" record -q "$disk/run.lcmlog"
 lcm-logger -q -f run.lcmlog >/dev/null 2>&1 &
 logger=$!
 prospect-executive --seed 4711 --policy collect >collect.log 2>&1
