@@ -1,14 +1,19 @@
 # PROSPECT_SANITIZE: empty, asan (address and undefined behaviour) or tsan (threads).
 set(PROSPECT_SANITIZE "" CACHE STRING "asan, tsan or empty")
+# How long a test may take, in seconds; instrumented programs are that much slower.
+set(PROSPECT_TEST_SECONDS 120)
 if(PROSPECT_SANITIZE STREQUAL "asan")
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+  set(PROSPECT_TEST_SECONDS 480)
 elseif(PROSPECT_SANITIZE STREQUAL "tsan")
   add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
   add_link_options(-fsanitize=thread)
+  set(PROSPECT_TEST_SECONDS 1200)
 elseif(PROSPECT_SANITIZE)
   message(FATAL_ERROR "PROSPECT_SANITIZE is '${PROSPECT_SANITIZE}': say asan, tsan or nothing")
 endif()
+math(EXPR PROSPECT_LONG_TEST_SECONDS "2 * ${PROSPECT_TEST_SECONDS}")
 
 # libFuzzer targets (tests/fuzz): everything is instrumented, so this wants clang and a build folder of its own.
 option(PROSPECT_FUZZ "Build libFuzzer targets instead of the tests of tests/fuzz; needs clang" OFF)

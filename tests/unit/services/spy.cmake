@@ -4,4 +4,4 @@ endif()
 find_program(XVFB Xvfb REQUIRED)
 add_test(NAME services_spy_starts COMMAND ${WITH_BUS} ${CMAKE_CURRENT_SOURCE_DIR}/spy_starts.sh
   ${CMAKE_SOURCE_DIR}/services/spy/prospect-spy ${PROSPECT_JAR} ${PROSPECT_TYPE_COUNT})
-set_tests_properties(services_spy_starts PROPERTIES LABELS unit TIMEOUT 120)
+set_tests_properties(services_spy_starts PROPERTIES LABELS unit TIMEOUT ${PROSPECT_TEST_SECONDS})

@@ -1,0 +1,15 @@
+# What ./prospect test --asan and --tsan tell the sanitizers' runtimes.
+
+# sanitizer_options PRESET
+sanitizer_options() {
+  local folder=$ROOT/tests/sanitizers
+  case "$1" in
+    asan)
+      # One test preloads a clock that jumps: the runtime is not the first library then.
+      export ASAN_OPTIONS=verify_asan_link_order=0
+      export LSAN_OPTIONS=suppressions=$folder/leaks.txt:print_suppressions=0
+      export UBSAN_OPTIONS=print_stacktrace=1 ;;
+    tsan)
+      export TSAN_OPTIONS=suppressions=$folder/threads.txt:second_deadlock_stack=1 ;;
+  esac
+}
