@@ -15,6 +15,13 @@ elseif(PROSPECT_SANITIZE)
 endif()
 math(EXPR PROSPECT_LONG_TEST_SECONDS "2 * ${PROSPECT_TEST_SECONDS}")
 
+# GCC 12 warns of its own std::regex once sanitizers keep it from seeing through it.
+function(prospect_quiet_regex)
+  if(PROSPECT_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
+  endif()
+endfunction()
+
 # libFuzzer targets (tests/fuzz): everything is instrumented, so this wants clang and a build folder of its own.
 option(PROSPECT_FUZZ "Build libFuzzer targets instead of the tests of tests/fuzz; needs clang" OFF)
 if(PROSPECT_FUZZ)
