@@ -1,10 +1,15 @@
 // With a sanitizer, its own allocator tells of each allocation.
 
-#include <sanitizer/allocator_interface.h>
-
 #include <atomic>
+#include <cstddef>
 
 #include "tests/fuzz/heap_watch.h"
+
+// Of <sanitizer/allocator_interface.h>, which comes with clang and not with GCC; both have the
+// function.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace prospect::fuzz {
 namespace {
