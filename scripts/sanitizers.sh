@@ -3,6 +3,7 @@
 # sanitizer_options PRESET
 sanitizer_options() {
   local folder=$ROOT/tests/sanitizers
+  [ "$1" = release ] || export PROSPECT_TEST_SECONDS=400  # instrumented programs are that much slower
   case "$1" in
     asan)
       # One test preloads a clock that jumps: the runtime is not the first library then.

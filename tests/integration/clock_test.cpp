@@ -48,7 +48,8 @@ TEST(JumpingClocks, AnEpisodeGoesOn) {
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000,
                             [&] { NoteHours(witness, &hours); }));
   EXPECT_TRUE(code == 0 || code == 4) << code;
-  for (const auto& search : deployment.Result().at("searches")) {
+  const nlohmann::json result = deployment.Result();
+  for (const auto& search : result.at("searches")) {
     EXPECT_TRUE(search.at("converged").get<bool>());
     EXPECT_LT(search.at("seconds").get<double>(), 10);
   }
