@@ -46,7 +46,8 @@ std::string Validate(const expand_reply_t& message) {
 std::string Validate(const expand_request_t& message) {
   ValueCheck check;
   check.That(IsCount(message.attempt), "attempt: negative")
-      .That(InRange(message.num_paths, 1, kMaxPathsPerRequest), "num_paths: out of range");
+      .That(InRange(message.num_paths, 1, kMaxPathsPerRequest), "num_paths: out of range")
+      .That(IsBudget(message.budget_ms), "budget_ms: beyond ten years");
   for (const path_t& path : message.paths) check.That(IsPath(path), "paths: bad path");
   return check.Result();
 }
@@ -109,6 +110,7 @@ std::string Validate(const search_root_t& message) {
       .That(InRange(message.depth, 1, kMaxPathLength), "depth: out of range")
       .That(message.samples >= 1, "samples: below 1")
       .That(message.leaves >= 1, "leaves: below 1")
+      .That(IsBudget(message.budget_ms), "budget_ms: beyond ten years")
       .That(IsBoolean(message.sharing), "sharing: neither 0 nor 1");
   return check.Result();
 }

@@ -32,6 +32,9 @@ bool InRange(T value, T low, T high) {
 
 inline bool IsProbability(double value) { return InRange(value, 0.0, 1.0); }
 inline bool IsCount(std::int64_t value) { return value >= 0; }
+/// Milliseconds from now, or negative for none: at most ten years, so that microseconds and sums of
+/// them stay in their type.
+inline bool IsBudget(std::int64_t ms) { return ms <= 3650LL * 24 * 3600 * 1000; }
 inline bool IsBoolean(std::int8_t value) { return value == 0 || value == 1; }
 bool IsPath(const path_t& path);
 

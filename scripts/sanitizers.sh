@@ -6,8 +6,9 @@ sanitizer_options() {
   [ "$1" = release ] || export PROSPECT_TEST_SECONDS=400  # instrumented programs are that much slower
   case "$1" in
     asan)
-      # One test preloads a clock that jumps: the runtime is not the first library then.
-      export ASAN_OPTIONS=verify_asan_link_order=0
+      # One test preloads a clock that jumps: the runtime is not the first library then. And memory that was given back is
+      # kept for less than the soak test's time, or every process grows in it.
+      export ASAN_OPTIONS=verify_asan_link_order=0:quarantine_size_mb=8
       export LSAN_OPTIONS=suppressions=$folder/leaks.txt:print_suppressions=0
       export UBSAN_OPTIONS=print_stacktrace=1 ;;
     tsan)

@@ -12,6 +12,7 @@ namespace prospect::messages {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int64_t kHuge = std::numeric_limits<std::int64_t>::max();
 
 observation_t Picture() {
   observation_t m{};
@@ -115,6 +116,7 @@ TEST(Validate, SearchRoot) {
                {"depth: out of range", [](auto& m) { m.depth = 33; }},
                {"samples: below 1", [](auto& m) { m.samples = 0; }},
                {"leaves: below 1", [](auto& m) { m.leaves = 0; }},
+               {"budget_ms: beyond ten years", [](auto& m) { m.budget_ms = kHuge; }},
                {"num_executed: too many", [](auto& m) { m.num_executed = 33; }},
                {"sharing: neither 0 nor 1", [](auto& m) { m.sharing = 2; }}});
 }
@@ -159,6 +161,7 @@ TEST(Validate, ExpandRequest) {
       sound, {{"attempt: negative", [](auto& m) { m.attempt = -1; }},
               {"num_paths: out of range", [](auto& m) { m.num_paths = 0; }},
               {"num_paths: out of range", [](auto& m) { m.num_paths = 257; }},
+              {"budget_ms: beyond ten years", [](auto& m) { m.budget_ms = kHuge; }},
               {"paths: bad path", [](auto& m) { m.paths[0].num_actions = 33; }}});
 }
 
