@@ -8,6 +8,7 @@ namespace prospect::model::hdf5 {
 namespace {
 
 constexpr std::size_t kLongestText = 1 << 20;  // an attribute longer than this is damage
+constexpr hsize_t kLongestExtent = 1 << 22;  // and rows beyond this: no trial has so many frames
 
 template <typename T>
 hid_t NativeType();
@@ -43,6 +44,8 @@ std::size_t CheckedCount(hid_t space, const std::vector<hsize_t>& dims, const st
   for (std::size_t i = 0; i < dims.size(); ++i) {
     if (dims[i] > 0 && found[i] != dims[i])
       Fail(file, "'" + name + "' has the wrong size; damaged");
+    if (dims[i] == 0 && found[i] > kLongestExtent)
+      Fail(file, "'" + name + "' is too long for a trial; damaged");
     count *= found[i];
   }
   return count;

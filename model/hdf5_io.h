@@ -45,7 +45,8 @@ Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file)
 std::vector<std::string> LinkNames(hid_t group, const std::string& file);
 
 /// Whole data sets of a native type. Reads check that the number of dimensions is `dims.size()`
-/// and, where dims[i] > 0, that extent i equals it.
+/// and, where dims[i] > 0, that extent i equals it; the others are at most 2^22, so that a damaged
+/// extent takes no gigabytes.
 template <typename T>
 void Write(hid_t group, const std::string& name, const std::vector<T>& values,
            const std::vector<hsize_t>& dims, const std::string& file);

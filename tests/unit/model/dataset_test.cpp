@@ -1,6 +1,7 @@
 #include "model/dataset.h"
 
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <filesystem>
 #include <fstream>
@@ -147,6 +148,31 @@ TEST_F(DatasetTest, ATruncatedFileIsRefusedByName) {
     FAIL() << "expected DataError";
   } catch (const DataError& error) {
     EXPECT_NE(std::string(error.what()).find("4.h5"), std::string::npos);
+  }
+}
+
+// Puts an empty data set of `rows` rows in the place of one of a trial's.
+void Lengthen(const std::string& path, const std::string& name, hsize_t rows) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(H5Ldelete(file, name.c_str(), H5P_DEFAULT), 0);
+  const hid_t space = H5Screate_simple(1, &rows, nullptr);
+  const hid_t set = H5Dcreate2(file, name.c_str(), H5T_NATIVE_UINT8, space, H5P_DEFAULT,
+                               H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(set, 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Fclose(file);
+}
+
+TEST_F(DatasetTest, ADamagedLengthTakesNoGigabytes) {
+  const std::string path = Write(4);
+  Lengthen(path, "data/demo_4/dones", hsize_t{1} << 32);
+  try {
+    TrialFile(path).Read(0);
+    FAIL() << "expected DataError";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("'dones' is too long"), std::string::npos)
+        << error.what();
   }
 }
 
