@@ -27,6 +27,8 @@ void Validate(const NetworkConfig& c) {
   Require(c.activation == "relu" || c.activation == "leaky_relu",
           "activation: must be relu or leaky_relu");
   Require(c.heads == "paper" || c.heads == "costar", "heads: must be paper or costar");
+  Require(c.bottleneck == "soft_argmax" || c.bottleneck == "strided",
+          "bottleneck: must be soft_argmax or strided");
   Require(c.transform_extra_stages >= 0 && c.transform_extra_stages <= 3,
           "transform_extra_stages: must be 0 to 3");
   const int divisor = 2 << c.transform_extra_stages;
@@ -44,6 +46,7 @@ void to_json(nlohmann::json& json, const NetworkConfig& c) {
           {"activation", c.activation},
           {"heads", c.heads},
           {"skip", c.skip},
+          {"bottleneck", c.bottleneck},
           {"transform_extra_stages", c.transform_extra_stages}};
 }
 
@@ -58,6 +61,7 @@ void from_json(const nlohmann::json& json, NetworkConfig& c) {
       .Read("activation", &c.activation)
       .Read("heads", &c.heads)
       .Read("skip", &c.skip)
+      .Read("bottleneck", &c.bottleneck)
       .Read("transform_extra_stages", &c.transform_extra_stages)
       .RefuseOthers();
   Validate(c);

@@ -20,7 +20,10 @@ struct NetworkConfig {
       "relu";  ///< encoder and T's action layer: "relu" (paper) or "leaky_relu" (code)
   std::string heads =
       "paper";  ///< Q, p, f: "paper" (1x1 convolutions, FC256-FC128) or "costar" (4x4, 128-128)
-  bool skip = true;  ///< T's connection across the spatial soft argmax
+  bool skip = true;  ///< T's connection across the bottleneck
+  /// What T squeezes its features through: "soft_argmax" (paper) or "strided" (its U-net
+  /// comparison).
+  std::string bottleneck = "soft_argmax";
   int transform_extra_stages =
       0;  ///< T's extra stages of 64 channels with their own skip (suturing: 1)
 

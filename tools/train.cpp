@@ -12,6 +12,7 @@
 #include "model/training/export.h"
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
+#include "model/training/variants.h"
 #include "model/weights.h"
 
 namespace prospect {
@@ -21,6 +22,7 @@ constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 struct Arguments {
   model::TrainOptions options;
+  std::string variant;
   std::string config_file;
   std::string json_file;
   std::string scored_weights;
@@ -30,6 +32,12 @@ struct Arguments {
   bool print_config = false;
 };
 
+std::string VariantHelp() {
+  std::string help = "a row of the paper's comparison:";
+  for (const model::Variant& v : model::Variants()) help += "\n" + v.name + ": " + v.what;
+  return help;
+}
+
 void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option("--task", a->options.task, "the task to train for")->required();
   app->add_option("--data", a->options.data, "data set made by collect (HDF5)");
@@ -38,6 +46,7 @@ void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option("--iterations", a->iterations,
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
+  app->add_option("--variant", a->variant, VariantHelp());
   app->add_option("--device", a->options.device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}));
   app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
@@ -66,6 +75,7 @@ model::TrainConfig ConfigOf(const Arguments& a) {
     if (json.is_discarded()) throw std::invalid_argument(a.config_file + ": is not JSON");
     json.get_to(config);
   }
+  if (!a.variant.empty()) model::ApplyVariant(a.variant, &config);
   if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
   if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
   return config;

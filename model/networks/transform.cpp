@@ -16,7 +16,12 @@ TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
   action_ = register_module("action", torch::nn::Linear(config.num_actions, kWidth));
   action_norm_ = register_module("action_norm", VectorNorm());
   with_action_ = register_module("with_action", ConvBlock(2 * kWidth, kWidth, 5, 1, plain));
-  dense_ = register_module("dense", torch::nn::Linear(3 * kWidth, cells * kWidth));
+  if (config.bottleneck == "strided") {
+    strided_ = register_module("strided", ConvBlock(kWidth, kWidth, 5, 2, plain));
+    small_ = register_module("small", ConvBlock(kWidth, kWidth, 5, 1, drop));
+  } else {
+    dense_ = register_module("dense", torch::nn::Linear(3 * kWidth, cells * kWidth));
+  }
   down_ = register_module("down", torch::nn::ModuleList());
   up_ = register_module("up", torch::nn::ModuleList());
   join_ = register_module("join", torch::nn::ModuleList());
@@ -33,7 +38,9 @@ TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
 torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Tensor& y) {
   const int stages = 1 + config_.transform_extra_stages;
   const torch::Tensor tiled = Tile(y, x.size(2), x.size(3));
-  const torch::Tensor points = SpatialSoftArgmax(with_action_->forward(torch::cat({x, tiled}, 1)));
+  const torch::Tensor features = with_action_->forward(torch::cat({x, tiled}, 1));
+  if (strided_) return small_->forward(strided_->forward(features));
+  const torch::Tensor points = SpatialSoftArgmax(features);
   torch::Tensor z = torch::relu(dense_->forward(torch::cat({points, y}, 1)));
   z = Dropout(z, config_.dropout, is_training());
   return z.view({-1, kWidth, config_.hidden_height() >> stages, config_.hidden_width() >> stages});

@@ -13,8 +13,10 @@ namespace prospect::model {
 /// h and h0 through 1x1 convolutions each (64), merged by C64 (the skip tensor); the action through
 /// a dense layer (64), tiled and merged by C64; spatial soft argmax to 128 numbers, the action
 /// again, a dense layer to a quarter of the grid x 64; up; the skip tensor; C64; 1x1 with a
-/// sigmoid. `transform_extra_stages` adds strided C64 blocks on the way down, with a skip and a
-/// doubling each on the way up (the paper's suturing net).
+/// sigmoid. `bottleneck = strided` is the paper's U-net comparison: a strided and a plain 5x5
+/// convolution in the place of soft argmax and dense layer. `transform_extra_stages` adds strided
+/// C64 blocks on the way down, with a skip and a doubling each on the way up (the paper's suturing
+/// net).
 class TransformImpl : public torch::nn::Module {
  public:
   explicit TransformImpl(const NetworkConfig& config);
@@ -29,6 +31,7 @@ class TransformImpl : public torch::nn::Module {
   ConvBlock from_h_{nullptr}, from_h0_{nullptr}, merge_{nullptr}, with_action_{nullptr};
   torch::nn::ModuleList down_{nullptr}, up_{nullptr}, join_{nullptr};
   torch::nn::Linear action_{nullptr}, dense_{nullptr};
+  ConvBlock strided_{nullptr}, small_{nullptr};  ///< instead of dense_
   VectorNorm action_norm_{nullptr};
   ConvBlock out_{nullptr};
 };

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -117,8 +118,9 @@ std::string NoteOf(const std::vector<std::pair<std::string, double>>& means) {
 /// Weights, optimizer and iteration of a stage on disk.
 class StageFile {
  public:
-  StageFile(const Stage& stage, const StageRun& run, torch::optim::Adam* adam)
-      : stage_(stage), run_(run), adam_(adam) {}
+  /// Without an optimizer it only loads.
+  StageFile(const Stage& stage, const StageRun& run, torch::optim::Optimizer* optimizer)
+      : stage_(stage), run_(run), optimizer_(optimizer) {}
 
   std::string finished() const { return run_.folder + "/stage-" + stage_.name() + ".pt"; }
   std::string checkpoint() const { return run_.folder + "/stage-" + stage_.name() + ".checkpoint"; }
@@ -132,9 +134,9 @@ class StageFile {
       module->save(part);
       archive.write(name, part);
     }
-    torch::serialize::OutputArchive optimizer;
-    adam_->save(optimizer);
-    archive.write("optimizer", optimizer);
+    torch::serialize::OutputArchive steps;
+    optimizer_->save(steps);
+    archive.write("optimizer", steps);
     // By way of memory: libtorch ends the process when it cannot write a file.
     std::ostringstream bytes;
     archive.save_to(bytes);
@@ -174,20 +176,28 @@ class StageFile {
       archive.read(name, part);
       module->load(part);
     }
-    torch::serialize::InputArchive optimizer;
-    archive.read("optimizer", optimizer);
-    adam_->load(optimizer);
+    if (optimizer_ == nullptr) return iteration.toInt();
+    torch::serialize::InputArchive steps;
+    archive.read("optimizer", steps);
+    optimizer_->load(steps);
     return iteration.toInt();
   }
 
   const Stage& stage_;
   const StageRun& run_;
-  torch::optim::Adam* adam_;
+  torch::optim::Optimizer* optimizer_;
 };
 
-torch::optim::Adam MakeAdam(const Stage& stage, const std::vector<torch::Tensor>& parameters) {
-  return torch::optim::Adam(
-      parameters, torch::optim::AdamOptions(stage.config().learning_rate).eps(kAdamEpsilon));
+/// One group of parameters a module, in the order of modules().
+std::unique_ptr<torch::optim::Optimizer> MakeOptimizer(const Stage& stage) {
+  std::vector<torch::optim::OptimizerParamGroup> groups;
+  for (const auto& [name, module] : stage.modules()) groups.emplace_back(module->parameters());
+  const double rate = stage.config().learning_rate;
+  if (stage.optimizer() == "rmsprop") {
+    return std::make_unique<torch::optim::RMSprop>(groups, torch::optim::RMSpropOptions(rate));
+  }
+  return std::make_unique<torch::optim::Adam>(groups,
+                                              torch::optim::AdamOptions(rate).eps(kAdamEpsilon));
 }
 
 std::vector<torch::Tensor> ParametersOf(const Stage& stage) {
@@ -207,11 +217,11 @@ struct ShardResult {
 class Stepper {
  public:
   Stepper(Stage* stage, const StageRun& run, std::vector<torch::Tensor> parameters,
-          torch::optim::Adam* adam)
+          torch::optim::Optimizer* optimizer)
       : stage_(stage),
         run_(run),
         parameters_(std::move(parameters)),
-        adam_(adam),
+        optimizer_(optimizer),
         shards_(run.device.is_cpu() ? run.shards : 1) {}
 
   std::vector<std::pair<std::string, double>> Step(std::int64_t iteration) {
@@ -222,11 +232,9 @@ class Stepper {
         });
     SetGradients(results);
     torch::nn::utils::clip_grad_norm_(parameters_, kClipNorm);
-    for (auto& group : adam_->param_groups()) {
-      static_cast<torch::optim::AdamOptions&>(group.options())
-          .lr(RateAt(stage_->config(), iteration));
-    }
-    adam_->step();
+    SetRates(RateAt(stage_->config(), iteration));
+    optimizer_->step();
+    stage_->AfterStep();
     return MeanParts(results);
   }
 
@@ -244,13 +252,22 @@ class Stepper {
     return result;
   }
 
+  void SetRates(double rate) {
+    const auto modules = stage_->modules();
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+      optimizer_->param_groups()[i].options().set_lr(rate * stage_->RateOf(modules[i].first));
+    }
+  }
+
+  /// What the loss does not depend on in this iteration gets no gradient at all, and stays.
   void SetGradients(const std::vector<ShardResult>& results) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
-      torch::Tensor sum = torch::zeros_like(parameters_[i]);
+      torch::Tensor sum;
       for (const ShardResult& result : results) {
-        if (result.gradients[i].defined()) sum += result.gradients[i];
+        if (!result.gradients[i].defined()) continue;
+        sum = sum.defined() ? sum + result.gradients[i] : result.gradients[i];
       }
-      parameters_[i].mutable_grad() = sum.div_(shards_);
+      parameters_[i].mutable_grad() = sum.defined() ? sum.div(shards_) : sum;
     }
   }
 
@@ -274,7 +291,7 @@ class Stepper {
   Stage* stage_;
   const StageRun& run_;
   std::vector<torch::Tensor> parameters_;
-  torch::optim::Adam* adam_;
+  torch::optim::Optimizer* optimizer_;
   int shards_;
 };
 
@@ -309,9 +326,7 @@ bool Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* st
 }  // namespace
 
 bool LoadFinished(Stage* stage, const StageRun& run) {
-  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
-  torch::optim::Adam adam = MakeAdam(*stage, parameters);
-  const StageFile file(*stage, run, &adam);
+  const StageFile file(*stage, run, nullptr);
   if (file.Load(file.finished()) < 0) return false;
   SetMode(*stage, false);
   return true;
@@ -323,11 +338,10 @@ bool RunStage(Stage* stage, const StageRun& run) {
     std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
     return true;
   }
-  const std::vector<torch::Tensor> parameters = ParametersOf(*stage);
-  torch::optim::Adam adam = MakeAdam(*stage, parameters);
-  const StageFile file(*stage, run, &adam);
+  const std::unique_ptr<torch::optim::Optimizer> optimizer = MakeOptimizer(*stage);
+  const StageFile file(*stage, run, optimizer.get());
   SetMode(*stage, true);
-  Stepper stepper(stage, run, parameters, &adam);
+  Stepper stepper(stage, run, ParametersOf(*stage), optimizer.get());
   const std::int64_t first = std::max<std::int64_t>(0, file.Load(file.checkpoint()));
   if (!Train(stage, run, file, &stepper, first)) return false;
   file.Save(file.finished(), stage->config().iterations);

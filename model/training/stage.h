@@ -27,6 +27,13 @@ class Stage {
   /// and the data. Called from several threads at once for different shards; dropout is seeded by
   /// the caller.
   virtual LossParts Loss(std::int64_t iteration, int shard, int shards) = 0;
+
+  /// "adam" or "rmsprop".
+  virtual std::string optimizer() const { return "adam"; }
+  /// The learning rate of one of modules(), as a multiple of the configuration's.
+  virtual double RateOf(const std::string& /*module*/) const { return 1.0; }
+  /// After every step of the optimizer.
+  virtual void AfterStep() {}
 };
 
 /// Where and how a stage runs.

@@ -92,6 +92,14 @@ void Validate(const TrainConfig& c) {
   Require(c.focus >= 0, "focus: must not be negative");
   Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");
   Require(c.linked_steps >= 1 && c.linked_steps <= 5, "linked_steps: must be 1 to 5");
+  Require(c.lambda >= 0, "lambda: must not be negative");
+  Require(c.picture_weight >= 0, "picture_weight: must not be negative");
+  Require(c.adversary == "none" || c.adversary == "pix2pix" || c.adversary == "wgan",
+          "adversary: must be none, pix2pix or wgan");
+  Require(c.adversary == "none" || c.linked_steps >= 2,
+          "adversary: needs linked_steps of 2 at least");
+  Require(c.judge_steps >= 1 && c.judge_steps <= 1000, "judge_steps: must be 1 to 1000");
+  Require(c.judge_clip > 0 && c.judge_rate > 0, "judge_clip, judge_rate: must be above 0");
   Require(c.start_share >= 0 && c.start_share <= 1, "start_share: must be 0 to 1");
   Require(c.imagined_share >= 0 && c.imagined_share <= 1, "imagined_share: must be 0 to 1");
   ValidateStage(c.classifier, "classifier");
@@ -131,6 +139,11 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"lambda", c.lambda},
           {"linked_steps", c.linked_steps},
           {"repeat_last", c.repeat_last},
+          {"picture_weight", c.picture_weight},
+          {"adversary", c.adversary},
+          {"judge_steps", c.judge_steps},
+          {"judge_clip", c.judge_clip},
+          {"judge_rate", c.judge_rate},
           {"start_share", c.start_share},
           {"done_weight", c.done_weight},
           {"imagined_share", c.imagined_share}};
@@ -155,6 +168,11 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("lambda", &c.lambda)
       .Read("linked_steps", &c.linked_steps)
       .Read("repeat_last", &c.repeat_last)
+      .Read("picture_weight", &c.picture_weight)
+      .Read("adversary", &c.adversary)
+      .Read("judge_steps", &c.judge_steps)
+      .Read("judge_clip", &c.judge_clip)
+      .Read("judge_rate", &c.judge_rate)
       .Read("start_share", &c.start_share)
       .Read("done_weight", &c.done_weight)
       .Read("imagined_share", &c.imagined_share)

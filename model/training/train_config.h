@@ -60,6 +60,15 @@ struct TrainConfig {
   int linked_steps = 2;  ///< transforms trained one after another (paper: 2)
   bool repeat_last =
       true;  ///< after a trial's last action the same action again (authors' code); else no loss
+  /// Weight of the pictures' L1 in T's loss; beside an adversary the authors use 100 (pix2pix) and
+  /// 0.1 (wgan).
+  double picture_weight = 1.0;
+  /// "none", or the judge in T's loss on pictures (model/training/adversary.h): "pix2pix" or
+  /// "wgan". Needs two linked steps.
+  std::string adversary = "none";
+  int judge_steps = 10;      ///< wgan: iterations of the judge alone before each of T
+  double judge_clip = 0.01;  ///< wgan: its weights stay within +- this
+  double judge_rate = 2.0;   ///< its learning rate, as a multiple of T's (authors' code)
   double start_share =
       0.5;  ///< share of T's samples that begin at a segment's first frame, not inside
   /// Beyond the paper: weight of the loss of a head like f on T's states, passed on to T, so that T

@@ -29,7 +29,9 @@ json PictureNetwork(const NetworkConfig& c) {
 }
 
 json TransformNetwork(const NetworkConfig& c) {
-  return {c.num_actions, c.skip, c.transform_extra_stages};
+  json all = {c.num_actions, c.skip, c.transform_extra_stages};
+  if (c.bottleneck != NetworkConfig().bottleneck) all.push_back(c.bottleneck);
+  return all;
 }
 
 json HeadNetwork(const NetworkConfig& c) { return {c.head_dropout, c.heads}; }
@@ -174,8 +176,14 @@ struct Trainer::Impl {
                   config.repeat_last, config.start_share, config.done_weight});
   }
   std::string TransformKey() const {
-    return KeyOf({"transform-image-2", TransformHiddenKey(), ClassifierKey(),
-                  config.transform_image, config.lambda});
+    json inputs = {"transform-image-2", TransformHiddenKey(), ClassifierKey(),
+                   config.transform_image, config.lambda};
+    if (config.picture_weight != 1.0) inputs.push_back(config.picture_weight);
+    if (config.adversary != "none") {
+      inputs.insert(inputs.end(),
+                    {config.adversary, config.judge_steps, config.judge_clip, config.judge_rate});
+    }
+    return KeyOf(inputs);
   }
   std::string HeadsKey() const {
     return KeyOf({"heads-1", TransformKey(), config.heads, config.imagined_share});

@@ -1,5 +1,6 @@
 #include "model/training/transform_stages.h"
 
+#include "model/training/adversary.h"
 #include "model/training/batches.h"
 
 namespace prospect::model {
@@ -108,33 +109,97 @@ class TransformImageStage : public TransformStage {
       if (name != "decoder" && name != "classifier") continue;
       for (torch::Tensor& tensor : module->parameters()) tensor.set_requires_grad(false);
     }
+    if (context.config.adversary != "none") MakeAdversary();
   }
   std::string name() const override { return "transform-image"; }
   const StageConfig& config() const override { return context_.config.transform_image; }
+  std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
+    auto all = TransformStage::modules();
+    if (adversary_) all.emplace_back("judge", adversary_->judge().ptr().get());
+    return all;
+  }
+  std::string optimizer() const override {
+    return context_.config.adversary == "wgan" ? "rmsprop" : "adam";
+  }
+  double RateOf(const std::string& module) const override {
+    return module == "judge" ? context_.config.judge_rate : 1.0;
+  }
+  void AfterStep() override {
+    if (adversary_) adversary_->AfterStep();
+  }
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
     CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
     const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards));
-    const torch::Tensor h0 = batch.First();
-    torch::Tensor h = batch.Start();
-    const torch::Tensor gain = Gain(h0, batch);
     LossParts result;
-    result.loss = torch::zeros({}, h.options());
-    Networks networks = context_.networks;
-    for (int k = 0; k < batch.steps(); ++k) {
-      h = networks.transform->forward(h0, h, batch.Actions(k));
-      if (k < 2) AddPictureLoss(h, gain, batch, k, &result);
-      if (context_.config.done_weight > 0) {
-        result.loss = result.loss + context_.config.done_weight * DoneLoss(h0, h, batch, k);
-      }
-      if (context_.landmarks) {
-        result.loss = result.loss + context_.config.landmark_weight * LandmarkError(h, batch, k);
-      }
+    const bool learns = !adversary_ || adversary_->GeneratorsTurn(iteration);
+    std::vector<PicturePair> pictures;
+    {
+      const torch::AutoGradMode gradients(learns);
+      pictures = Imagine(batch, &result);
     }
+    if (adversary_) AddJudgement(batch, pictures, learns, &random, &result);
     return result;
   }
 
  private:
+  /// What T imagined of one step, and what it should have.
+  struct PicturePair {
+    torch::Tensor imagined, real;
+  };
+
+  void MakeAdversary() {
+    torch::manual_seed(Mix64(context_.config.seed ^ HashText("judge")));
+    adversary_ = std::make_unique<Adversary>(context_.config);
+    adversary_->judge()->to(context_.device);
+  }
+
+  /// The loss without an adversary, and the pictures of the first two steps.
+  std::vector<PicturePair> Imagine(const ChainBatch& batch, LossParts* result) const {
+    const torch::Tensor h0 = batch.First();
+    torch::Tensor h = batch.Start();
+    const torch::Tensor gain = Gain(h0, batch);
+    result->loss = torch::zeros({}, h.options());
+    Networks networks = context_.networks;
+    std::vector<PicturePair> pictures;
+    for (int k = 0; k < batch.steps(); ++k) {
+      h = networks.transform->forward(h0, h, batch.Actions(k));
+      if (k < 2) pictures.push_back(AddPictureLoss(h, gain, batch, k, result));
+      if (context_.config.done_weight > 0) {
+        result->loss = result->loss + context_.config.done_weight * DoneLoss(h0, h, batch, k);
+      }
+      if (context_.landmarks) {
+        result->loss = result->loss + context_.config.landmark_weight * LandmarkError(h, batch, k);
+      }
+    }
+    return pictures;
+  }
+
+  /// Rows that have a second step; all of them where none has.
+  torch::Tensor JudgedRows(const ChainBatch& batch) const {
+    const torch::Tensor rows = batch.Weights(1).nonzero().flatten();
+    if (rows.numel() > 0) return rows;
+    return torch::arange(static_cast<std::int64_t>(batch.size()), rows.options());
+  }
+
+  void AddJudgement(const ChainBatch& batch, const std::vector<PicturePair>& pictures, bool learns,
+                    CounterRandom* random, LossParts* result) const {
+    const torch::Tensor rows = JudgedRows(batch);
+    const auto chosen = [&rows](const torch::Tensor& all) { return all.index_select(0, rows); };
+    const torch::Tensor action = chosen(batch.Actions(1));
+    const JudgedPair real{chosen(pictures[0].real), chosen(pictures[1].real), action};
+    const JudgedPair imagined{chosen(pictures[0].imagined), chosen(pictures[1].imagined), action};
+    const torch::Tensor judges = adversary_->JudgesLoss(real, imagined, random);
+    torch::Tensor generators;
+    {
+      const torch::AutoGradMode gradients(learns);
+      generators = adversary_->GeneratorsLoss(imagined);
+    }
+    result->loss = learns ? result->loss + generators + judges : judges;
+    result->parts.emplace_back("judge", judges.item<double>());
+    result->parts.emplace_back("found_out", generators.item<double>());
+  }
+
   /// The light of each chain's first picture.
   torch::Tensor Gain(const torch::Tensor& h0, const ChainBatch& batch) const {
     const torch::NoGradGuard no_grad;
@@ -143,8 +208,8 @@ class TransformImageStage : public TransformStage {
     return LightGain(seen.to(context_.device), decoder->forward(h0));
   }
 
-  void AddPictureLoss(const torch::Tensor& h, const torch::Tensor& gain, const ChainBatch& batch,
-                      int step, LossParts* result) const {
+  PicturePair AddPictureLoss(const torch::Tensor& h, const torch::Tensor& gain,
+                             const ChainBatch& batch, int step, LossParts* result) const {
     Networks networks = context_.networks;
     const std::vector<int> turns = batch.Turns();
     const torch::Tensor raw = context_.pictures.Get(batch.GoalSlots(step)).to(context_.device);
@@ -154,10 +219,12 @@ class TransformImageStage : public TransformStage {
     const torch::Tensor x = networks.decoder->forward(h) * gain;
     const torch::Tensor error = (x - goal).abs();
     const torch::Tensor weights = batch.Weights(step);
-    result->loss = result->loss + ((error * focus).mean({1, 2, 3}) * weights).mean();
+    const torch::Tensor loss = ((error * focus).mean({1, 2, 3}) * weights).mean();
+    result->loss = result->loss + context_.config.picture_weight * loss;
     result->parts.emplace_back("l1_x" + std::to_string(step + 1),
                                (error.mean({1, 2, 3}) * weights).mean().item<double>());
     if (step == 1) AddClassifierLoss(x, batch, step, result);
+    return {x, goal};
   }
 
   void AddClassifierLoss(const torch::Tensor& x, const ChainBatch& batch, int step,
@@ -169,6 +236,8 @@ class TransformImageStage : public TransformStage {
     result->loss = result->loss + context_.config.lambda * mean;
     result->parts.emplace_back("classifier", mean.item<double>());
   }
+
+  std::unique_ptr<Adversary> adversary_;
 };
 
 }  // namespace

@@ -61,6 +61,7 @@ TEST(Networks, SuturingsSizesAndVariantsRun) {
     config.heads = heads;
     config.activation = config.heads == "paper" ? "relu" : "leaky_relu";
     config.skip = config.heads == "paper";
+    config.bottleneck = config.heads == "paper" ? "soft_argmax" : "strided";
     Networks n{config};
     const torch::Tensor h = n.encoder->forward(torch::rand({1, 3, 96, 128}));
     EXPECT_EQ(h.sizes(), (torch::IntArrayRef{1, 8, 12, 16}));

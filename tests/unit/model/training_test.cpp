@@ -13,6 +13,8 @@
 #include "model/training/scores.h"
 #include "model/training/stage.h"
 #include "model/training/trainer.h"
+#include "model/training/transform_stages.h"
+#include "model/training/variants.h"
 #include "model/weights.h"
 #include "tests/unit/model/made_trial.h"
 #include "tests/unit/model/test_folder.h"
@@ -217,6 +219,69 @@ TEST_F(TrainingTest, AFullDiskEndsTheRunAndLosesNoCheckpoint) {
   EncoderRun resumed(config, folder_ / "all.h5", folder_ / "run");
   EXPECT_TRUE(resumed.Run(-1)) << "with room again it goes on";
   EXPECT_FALSE(std::filesystem::exists(checkpoint));
+}
+
+std::vector<torch::Tensor> CopyOf(const torch::nn::Module& module) {
+  std::vector<torch::Tensor> all;
+  for (const torch::Tensor& tensor : module.parameters()) all.push_back(tensor.detach().clone());
+  return all;
+}
+
+void Restore(const std::vector<torch::Tensor>& copy, torch::nn::Module* module) {
+  const torch::NoGradGuard no_grad;
+  for (std::size_t i = 0; i < copy.size(); ++i) module->parameters()[i].copy_(copy[i]);
+}
+
+bool Same(const std::vector<torch::Tensor>& a, const std::vector<torch::Tensor>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const torch::Tensor& x, const torch::Tensor& y) { return x.equal(y); });
+}
+
+// T's stage on pictures, run and killed at will.
+class AdversarialRun {
+ public:
+  AdversarialRun(const TrainContext& context, std::string folder)
+      : context_(context), folder_(std::move(folder)) {}
+
+  bool Run(std::int64_t stop_after) const {
+    StageRun run;
+    run.folder = folder_;
+    run.key = "key";
+    run.checkpoint_seconds = 0;
+    run.stop_after = stop_after;
+    return RunStage(MakeTransformImageStage(context_).get(), run);
+  }
+
+ private:
+  const TrainContext& context_;
+  std::string folder_;
+};
+
+// The Wasserstein judge, whose turns and optimizer differ from all other stages'.
+TEST_F(TrainingTest, AnAdversaryTrainsAndItsKilledRunContinuesToTheSameWeights) {
+  TrainConfig config = TinyConfig();
+  ApplyVariant("wgan", &config);
+  config.encoder_decoder.iterations = 2;
+  config.transform_image = {30, 2, 1e-3};
+  config.judge_steps = 2;
+  TrainOptions options = Options("wgan");
+  options.stages = {"classifier", "encoder-decoder", "transform"};
+  Trainer trainer(config, options);
+  trainer.Run();
+  torch::nn::Module* transform = trainer.context().networks.transform.ptr().get();
+  const std::vector<torch::Tensor> before = CopyOf(*transform);
+  const AdversarialRun whole(trainer.context(), folder_ / "whole");
+  EXPECT_TRUE(whole.Run(-1));
+  const std::vector<torch::Tensor> after = CopyOf(*transform);
+  EXPECT_FALSE(Same(before, after));
+  Restore(before, transform);
+  const AdversarialRun killed(trainer.context(), folder_ / "killed");
+  EXPECT_FALSE(killed.Run(28));  // the checkpoint is of iteration 25
+  EXPECT_TRUE(killed.Run(-1));
+  EXPECT_TRUE(Same(CopyOf(*transform), after));
+  const std::string curves = Bytes(folder_ / "whole/curves.csv");
+  EXPECT_NE(curves.find("transform-image,25,judge,"), std::string::npos);
+  EXPECT_NE(curves.find("transform-image,25,l1_x2,"), std::string::npos);
 }
 
 TEST_F(TrainingTest, ThreadsDoNotChangeTheResult) {

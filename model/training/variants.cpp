@@ -1,0 +1,71 @@
+#include "model/training/variants.h"
+
+#include <functional>
+#include <stdexcept>
+
+namespace prospect::model {
+namespace {
+
+struct Entry {
+  Variant variant;
+  std::function<void(TrainConfig*)> apply;
+};
+
+void Pix2Pix(TrainConfig* c) {
+  c->lambda = 0;
+  c->adversary = "pix2pix";
+  c->picture_weight = 100;
+}
+
+void Wasserstein(TrainConfig* c) {
+  c->lambda = 0;
+  c->adversary = "wgan";
+  c->picture_weight = 0.1;
+  c->transform_image.iterations *= c->judge_steps + 1;  // T learns in one of so many
+}
+
+const std::vector<Entry>& Entries() {
+  static const std::vector<Entry> entries = {
+      {{"naive", "Naive", "one step, L1"},
+       [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 1; }},
+      {{"l1", "L1", "two linked steps, L1"},
+       [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 2; }},
+      {{"l1+0.01c", "L1+0.01C", "and C's cross-entropy on the second picture, times 0.01"},
+       [](TrainConfig* c) { c->lambda = 0.01, c->linked_steps = 2; }},
+      {{"l1+0.001c", "L1+0.001C", "times 0.001"},
+       [](TrainConfig* c) { c->lambda = 0.001, c->linked_steps = 2; }},
+      {{"no-skips", "No Skips", "L1+0.001C without T's skip connection"},
+       [](TrainConfig* c) { c->lambda = 0.001, c->linked_steps = 2, c->network.skip = false; }},
+      {{"cgan", "cGAN", "two linked steps, L1 and the judge of pix2pix"},
+       [](TrainConfig* c) { c->linked_steps = 2, Pix2Pix(c); }},
+      {{"wgan", "WGAN", "two linked steps, L1 and a Wasserstein judge, by RMSProp"},
+       [](TrainConfig* c) { c->linked_steps = 2, Wasserstein(c); }},
+      {{"u-net", "U-net", "L1+0.001C with strided convolutions for the soft argmax"},
+       [](TrainConfig* c) {
+         c->lambda = 0.001, c->linked_steps = 2, c->network.bottleneck = "strided";
+       }},
+  };
+  return entries;
+}
+
+}  // namespace
+
+const std::vector<Variant>& Variants() {
+  static const std::vector<Variant> variants = [] {
+    std::vector<Variant> all;
+    for (const Entry& entry : Entries()) all.push_back(entry.variant);
+    return all;
+  }();
+  return variants;
+}
+
+void ApplyVariant(const std::string& name, TrainConfig* config) {
+  std::string known;
+  for (const Entry& entry : Entries()) {
+    if (entry.variant.name == name) return entry.apply(config);
+    known += (known.empty() ? "" : ", ") + entry.variant.name;
+  }
+  throw std::invalid_argument("variant '" + name + "': known are " + known);
+}
+
+}  // namespace prospect::model
