@@ -138,9 +138,10 @@ void WriteDemo(hid_t data, const Trial& trial, const std::string& file) {
 void WriteDataAttributes(hid_t data, const Trial& sample, std::int64_t frames,
                          const std::string& file) {
   hdf5::SetInteger(data, "total", frames, file);
-  const nlohmann::json env = {{"env_name", sample.task},
-                              {"type", "prospect"},
-                              {"env_kwargs", {{"world_version", sample.world_version}}}};
+  const nlohmann::json env = {
+      {"env_name", sample.task},
+      {"type", "prospect"},
+      {"env_kwargs", {{"world_version", sample.world_version}, {"successors", sample.successors}}}};
   hdf5::SetText(data, "env_args", env.dump(), file);
 }
 
@@ -198,11 +199,22 @@ void ReadVectors(hid_t demo, const std::string& file, Trial* trial) {
   }
 }
 
+std::vector<std::vector<int>> ReadSuccessors(hid_t data, const std::string& file) {
+  const auto env = nlohmann::json::parse(hdf5::GetText(data, "env_args", file), nullptr, false);
+  try {
+    const nlohmann::json kwargs = env.value("env_kwargs", nlohmann::json::object());
+    return kwargs.value("successors", std::vector<std::vector<int>>());
+  } catch (const nlohmann::json::exception&) {
+    throw DataError(file + ": attribute 'env_args' is not what we write; damaged");
+  }
+}
+
 Trial ReadDemoLabels(hid_t data, std::uint64_t seed, const std::string& file) {
   hdf5::Handle demo = hdf5::OpenGroup(data, DemoName(seed), file);
   Trial trial;
   ReadAttributes(demo, file, &trial);
   ReadVectors(demo, file, &trial);
+  trial.successors = ReadSuccessors(data, file);
   try {
     ValidateTrial(trial, /*with_images=*/false);
   } catch (const DataError& error) {

@@ -10,7 +10,8 @@
 
 /// Data sets on disk: HDF5 files in robomimic's layout (DESIGN §5).
 ///
-///   data                              attributes total (frames), env_args (JSON)
+///   data                              attributes total (frames), env_args (JSON; its env_kwargs
+///                                     hold world_version and successors)
 ///   data/demo_SEED/obs/agentview_image  uint8 [N,H,W,3], one chunk a frame, deflate
 ///   data/demo_SEED/obs/landmarks      float32 [N,K,2], where the recorder knows them (K > 0)
 ///   data/demo_SEED/actions            int32 [N,1], index into the action table, num_actions = none

@@ -31,6 +31,17 @@ void RequireSizes(const Trial& t, bool with_images) {
           "images must hold frames x height x width x 3 bytes");
 }
 
+void RequireSuccessors(const Trial& t) {
+  if (t.successors.empty()) return;
+  Require(t.successors.size() == static_cast<std::size_t>(t.num_actions) + 1, t,
+          "successors must have one row an action and one for the start");
+  for (const std::vector<int>& row : t.successors) {
+    for (const int next : row) {
+      Require(next >= 0 && next < t.num_actions, t, "successors: action out of range");
+    }
+  }
+}
+
 void RequireFrame(const Trial& t, int i) {
   const int previous = i == 0 ? -1 : t.segment[i - 1];
   const int segment = t.segment[i];
@@ -76,6 +87,7 @@ void ValidateTrial(const Trial& trial, bool with_images) {
           "outcome must be success or failure");
   Require(!trial.task.empty(), trial, "task is empty");
   RequireSizes(trial, with_images);
+  RequireSuccessors(trial);
   for (int i = 0; i < trial.frames(); ++i) RequireFrame(trial, i);
   Require(trial.segments() == trial.segment.back() + 1, trial,
           "segment_succeeded must have one entry a segment");

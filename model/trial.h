@@ -56,6 +56,10 @@ struct Trial {
   std::vector<int>
       present;          ///< per action 0 or 1: may the scene offer it (its object stands on site)
   int num_actions = 0;  ///< size of the task's action table
+  /// [num_actions + 1]: which actions the task's graph lets follow each action, ascending; the last
+  /// row is for the start. Empty: not known (data sets made before it was stored), then everything
+  /// but the action just done.
+  std::vector<std::vector<int>> successors;
   int plan_length = 0;  ///< actions in a complete plan of this trial
   std::string world_version;
   std::string task_hash;  ///< hash of the task's action table, as text

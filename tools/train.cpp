@@ -22,7 +22,6 @@ constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 struct Arguments {
   model::TrainOptions options;
-  std::string variant;
   std::string config_file;
   std::string json_file;
   std::string scored_weights;
@@ -41,12 +40,14 @@ std::string VariantHelp() {
 void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option("--task", a->options.task, "the task to train for")->required();
   app->add_option("--data", a->options.data, "data set made by collect (HDF5)");
-  app->add_option("--out", a->options.folder,
-                  "folder for checkpoints, caches, curves.csv and weights");
+  app->add_option(
+      "--out", a->options.folder,
+      "folder for checkpoints and caches; weights and curves.csv go there, too, with --variant "
+      "into a folder of that name inside");
   app->add_option("--iterations", a->iterations,
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
-  app->add_option("--variant", a->variant, VariantHelp());
+  app->add_option("--variant", a->options.variant, VariantHelp());
   app->add_option("--device", a->options.device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}));
   app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
@@ -75,8 +76,9 @@ model::TrainConfig ConfigOf(const Arguments& a) {
     if (json.is_discarded()) throw std::invalid_argument(a.config_file + ": is not JSON");
     json.get_to(config);
   }
-  if (!a.variant.empty()) model::ApplyVariant(a.variant, &config);
   if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
+  // Last, so that all variants share what comes before T, whatever they change of T's iterations.
+  if (!a.options.variant.empty()) model::ApplyVariant(a.options.variant, &config);
   if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
   return config;
 }

@@ -13,6 +13,15 @@ namespace {
 
 using nlohmann::json;
 
+json StagesOf(const Trainer& trainer) {
+  json stages = json::object();
+  for (const StageSummary& stage : trainer.stages()) {
+    stages[stage.name] = {
+        {"iterations", stage.iterations}, {"batch", stage.batch}, {"seconds", stage.seconds}};
+  }
+  return stages;
+}
+
 json MetadataOf(const Trainer& trainer, const json& scores) {
   const TrainContext& context = trainer.context();
   return {{"format", "prospect-weights-1"},
@@ -23,6 +32,8 @@ json MetadataOf(const Trainer& trainer, const json& scores) {
           {"trials", context.samples.trials.size()},
           {"network", context.config.network},
           {"train", context.config},
+          {"variant", trainer.options().variant},
+          {"stages", StagesOf(trainer)},
           {"data_hash", trainer.data_hash()},
           {"code_version", PROSPECT_VERSION},
           {"scores", scores},
@@ -49,7 +60,7 @@ std::string ExportWeights(const Trainer& trainer, const json& scores) {
   }
   const json metadata = MetadataOf(trainer, scores);
   const std::string weights =
-      trainer.options().folder + "/" + context.samples.task + ".safetensors";
+      trainer.weights_folder() + "/" + context.samples.task + ".safetensors";
   WriteWeights(ClassifiersPath(weights), classifiers, metadata);
   WriteWeights(weights, planning, metadata);
   return weights;

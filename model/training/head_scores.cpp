@@ -36,7 +36,7 @@ class TrialJudge {
     const torch::Tensor allowed =
         torch::sigmoid(networks_.p->forward(h0_, h, Action(action))).to(torch::kCPU).contiguous();
     for (int a = 0; a < context_.samples.num_actions; ++a) {
-      p->push_back({allowed.data_ptr<float>()[a], MayFollow(trial_, action, a)});
+      p->push_back({allowed.data_ptr<float>()[a], MayFollow(context_.samples, trial_, action, a)});
     }
     if (k_next >= trial_.segments) return;
     const torch::Tensor quality = torch::sigmoid(networks_.q->forward(h0_, h, Action(action)));

@@ -181,7 +181,7 @@ class HeadsStage : public Stage {
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const TrialSample& trial = context_.trial(labels.trial[i]);
       for (int a = 0; a < n; ++a) {
-        allowed.push_back(MayFollow(trial, labels.action[i], a) ? 1.0F : 0.0F);
+        allowed.push_back(MayFollow(context_.samples, trial, labels.action[i], a) ? 1.0F : 0.0F);
       }
     }
     const torch::Tensor entropy =

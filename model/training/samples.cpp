@@ -130,6 +130,7 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
     set->width = trial.width;
     set->height = trial.height;
     set->num_actions = trial.num_actions;
+    set->successors = trial.successors;
   }
   AllowLandmarks(trial.num_landmarks, set);
   RequireSameKind(trial, *set);
@@ -160,6 +161,13 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
     set->segments.push_back(std::move(segment));
   }
   set->trials.push_back(std::move(sample));
+}
+
+bool MayFollow(const SampleSet& set, const TrialSample& trial, int previous, int next) {
+  if (trial.present[static_cast<std::size_t>(next)] == 0) return false;
+  if (set.successors.empty()) return next != previous;
+  const std::vector<int>& row = set.successors[static_cast<std::size_t>(previous)];
+  return std::find(row.begin(), row.end(), next) != row.end();
 }
 
 SampleSet ReadSamples(const TrialFile& file, int mids_per_segment) {

@@ -44,7 +44,8 @@ struct TrialSample {
 struct SampleSet {
   std::string task, world_version, task_hash;
   int width = 0, height = 0, num_actions = 0;
-  int num_landmarks = 0;  ///< K; 0: the data set does not say where things are
+  std::vector<std::vector<int>> successors;  ///< as Trial::successors
+  int num_landmarks = 0;                     ///< K; 0: the data set does not say where things are
   /// frames x K x 2, as Trial::landmarks; infinite in frames of trials that do not say where things
   /// are
   std::vector<float> landmarks;
@@ -67,11 +68,9 @@ SampleSet ReadSamples(const TrialFile& file, int mids_per_segment);
 /// Adds one trial; ReadSamples is this over a file.
 void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, SampleSet* set);
 
-/// p's label of action `next` after `previous`: the scene offers it and it is not the one just
-/// done. (That an object was visited earlier in a plan is the task's rule, which the planner
-/// applies.)
-inline bool MayFollow(const TrialSample& trial, int previous, int next) {
-  return trial.present[static_cast<std::size_t>(next)] != 0 && next != previous;
-}
+/// p's label of action `next` after `previous` (num_actions: at the start): the scene offers it and
+/// the task's graph lets it follow. (That an object was visited earlier in a plan is the task's
+/// rule, which the planner applies.)
+bool MayFollow(const SampleSet& set, const TrialSample& trial, int previous, int next);
 
 }  // namespace prospect::model

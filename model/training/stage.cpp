@@ -115,28 +115,33 @@ std::string NoteOf(const std::vector<std::pair<std::string, double>>& means) {
   return note;
 }
 
+/// How far a stage on disk has come.
+struct Stored {
+  std::int64_t iteration = -1;
+  double seconds = 0;
+};
+
 /// Weights, optimizer and iteration of a stage on disk.
 class StageFile {
  public:
-  /// Without an optimizer it only loads.
+  /// Without an optimizer its state is neither stored nor loaded: for finished stages.
   StageFile(const Stage& stage, const StageRun& run, torch::optim::Optimizer* optimizer)
       : stage_(stage), run_(run), optimizer_(optimizer) {}
 
   std::string finished() const { return run_.folder + "/stage-" + stage_.name() + ".pt"; }
   std::string checkpoint() const { return run_.folder + "/stage-" + stage_.name() + ".checkpoint"; }
 
-  void Save(const std::string& path, std::int64_t iteration) const {
+  void Save(const std::string& path, std::int64_t iteration, double seconds) const {
     torch::serialize::OutputArchive archive;
     archive.write("key", c10::IValue(run_.key));
     archive.write("iteration", c10::IValue(iteration));
+    archive.write("seconds", c10::IValue(seconds));
     for (const auto& [name, module] : stage_.modules()) {
       torch::serialize::OutputArchive part;
       module->save(part);
       archive.write(name, part);
     }
-    torch::serialize::OutputArchive steps;
-    optimizer_->save(steps);
-    archive.write("optimizer", steps);
+    if (optimizer_ != nullptr) WriteOptimizer(&archive);
     // By way of memory: libtorch ends the process when it cannot write a file.
     std::ostringstream bytes;
     archive.save_to(bytes);
@@ -150,37 +155,45 @@ class StageFile {
     fs::rename(path + ".tmp", path);
   }
 
-  /// The iteration stored, or -1 if there is no such file, it does not open, or it is of another
+  /// What is stored; iteration -1 if there is no such file, it does not open, or it is of another
   /// key.
-  std::int64_t Load(const std::string& path) const {
-    if (!fs::exists(path)) return -1;
+  Stored Load(const std::string& path) const {
+    if (!fs::exists(path)) return {};
     try {
       return LoadWhole(path);
     } catch (const c10::Error&) {
       std::fprintf(stderr, "%s: does not open as a checkpoint; this stage starts anew\n",
                    path.c_str());
-      return -1;
+      return {};
     }
   }
 
  private:
-  std::int64_t LoadWhole(const std::string& path) const {
+  void WriteOptimizer(torch::serialize::OutputArchive* archive) const {
+    torch::serialize::OutputArchive steps;
+    optimizer_->save(steps);
+    archive->write("optimizer", steps);
+  }
+
+  Stored LoadWhole(const std::string& path) const {
     torch::serialize::InputArchive archive;
     archive.load_from(path, run_.device);
-    c10::IValue key, iteration;
+    c10::IValue key, iteration, seconds;
     archive.read("key", key);
     archive.read("iteration", iteration);
-    if (key.toStringRef() != run_.key) return -1;
+    if (key.toStringRef() != run_.key) return {};
+    Stored stored{iteration.toInt(), 0};
+    if (archive.try_read("seconds", seconds)) stored.seconds = seconds.toDouble();
     for (const auto& [name, module] : stage_.modules()) {
       torch::serialize::InputArchive part;
       archive.read(name, part);
       module->load(part);
     }
-    if (optimizer_ == nullptr) return iteration.toInt();
+    if (optimizer_ == nullptr) return stored;
     torch::serialize::InputArchive steps;
     archive.read("optimizer", steps);
     optimizer_->load(steps);
-    return iteration.toInt();
+    return stored;
   }
 
   const Stage& stage_;
@@ -299,55 +312,64 @@ void SetMode(const Stage& stage, bool training) {
   for (const auto& [name, module] : stage.modules()) module->train(training);
 }
 
-/// Iterations `first` to the end. False if stop_after ended it early.
-bool Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* stepper,
-           std::int64_t first) {
+double SecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// From what is stored to the end. Not finished if stop_after ended it early.
+StageOutcome Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* stepper,
+                   const Stored& stored) {
   const std::int64_t total = stage->config().iterations;
+  const std::int64_t first = std::max<std::int64_t>(0, stored.iteration);
   const Curves curves(run.folder, stage->name(), first);
   ProgressLine progress(stage->name(), first);
   Means means;
-  Clock::time_point saved = Clock::now();
+  const Clock::time_point begin = Clock::now();
+  const auto seconds = [&] { return stored.seconds + SecondsSince(begin); };
+  Clock::time_point saved = begin;
   for (std::int64_t i = first; i < total; ++i) {
-    if (run.stop_after >= 0 && i >= run.stop_after) return false;
+    if (run.stop_after >= 0 && i >= run.stop_after) return {false, seconds()};
     means.Add(stepper->Step(i));
     if ((i + 1) % kLogEvery != 0 && i + 1 != total) continue;
     const auto row = means.Take();
     curves.Write(i + 1, row);
     progress.Show(i + 1, total, NoteOf(row));
     // Only here, so that the averages of the curves need not be stored.
-    if (std::chrono::duration<double>(Clock::now() - saved).count() >= run.checkpoint_seconds) {
-      file.Save(file.checkpoint(), i + 1);
+    if (SecondsSince(saved) >= run.checkpoint_seconds) {
+      file.Save(file.checkpoint(), i + 1, seconds());
       saved = Clock::now();
     }
   }
-  return true;
+  return {true, seconds()};
 }
 
 }  // namespace
 
-bool LoadFinished(Stage* stage, const StageRun& run) {
+StageOutcome LoadFinished(Stage* stage, const StageRun& run) {
   const StageFile file(*stage, run, nullptr);
-  if (file.Load(file.finished()) < 0) return false;
+  const Stored stored = file.Load(file.finished());
+  if (stored.iteration < 0) return {};
   SetMode(*stage, false);
-  return true;
+  return {true, stored.seconds};
 }
 
-bool RunStage(Stage* stage, const StageRun& run) {
+StageOutcome RunStage(Stage* stage, const StageRun& run) {
   fs::create_directories(run.folder);
-  if (LoadFinished(stage, run)) {
+  if (const StageOutcome before = LoadFinished(stage, run); before.finished) {
     std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
-    return true;
+    return before;
   }
   const std::unique_ptr<torch::optim::Optimizer> optimizer = MakeOptimizer(*stage);
   const StageFile file(*stage, run, optimizer.get());
   SetMode(*stage, true);
   Stepper stepper(stage, run, ParametersOf(*stage), optimizer.get());
-  const std::int64_t first = std::max<std::int64_t>(0, file.Load(file.checkpoint()));
-  if (!Train(stage, run, file, &stepper, first)) return false;
-  file.Save(file.finished(), stage->config().iterations);
+  const StageOutcome outcome = Train(stage, run, file, &stepper, file.Load(file.checkpoint()));
+  if (!outcome.finished) return outcome;
+  StageFile(*stage, run, nullptr)
+      .Save(file.finished(), stage->config().iterations, outcome.seconds);
   fs::remove(file.checkpoint());
   SetMode(*stage, false);
-  return true;
+  return outcome;
 }
 
 }  // namespace prospect::model

@@ -49,15 +49,21 @@ struct StageRun {
   std::int64_t stop_after = -1;
 };
 
+/// How a stage went.
+struct StageOutcome {
+  bool finished = false;
+  double seconds = 0;  ///< spent on its iterations, in all runs that it took; 0 if not known
+};
+
 /// Runs a stage to its end, or continues it from its checkpoint, or loads its result if `run.key`
 /// is already finished. The result is the same in all three cases (same machine, same shards).
 /// Writes DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`,
-/// and rows to DIR/curves.csv; progress with an estimate of the time left goes to stderr. Returns
-/// false only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be written
-/// or the loss stops being a number.
-bool RunStage(Stage* stage, const StageRun& run);
+/// and rows to DIR/curves.csv; progress with an estimate of the time left goes to stderr. Not
+/// finished only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be
+/// written or the loss stops being a number.
+StageOutcome RunStage(Stage* stage, const StageRun& run);
 
-/// Only loads the finished result of `run.key`, into inference mode; false if there is none.
-bool LoadFinished(Stage* stage, const StageRun& run);
+/// Only loads the finished result of `run.key`, into inference mode; not finished if there is none.
+StageOutcome LoadFinished(Stage* stage, const StageRun& run);
 
 }  // namespace prospect::model

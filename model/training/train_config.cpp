@@ -47,11 +47,12 @@ TrainConfig Navigation() {
 TrainConfig Stacking() {
   TrainConfig c;
   c.network.num_actions = 36;
+  c.network.head_dropout = 0.2;
   c.mids_per_segment = 2;
   c.focus = 5.0;
   c.landmark_weight = 2.0;
-  c.classifier = {2000, 16, 1e-3};
-  c.encoder_decoder = {4000, 16, 1.5e-3};
+  c.classifier = {10000, 16, 1e-3};
+  c.encoder_decoder = {10000, 16, 1.5e-3};
   c.transform_hidden = {6000, 32, 1e-3};
   c.transform_image = {600, 16, 3e-4};
   c.heads = {3000, 32, 1e-3};

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -102,6 +103,8 @@ struct Trainer::Impl {
   std::unique_ptr<HiddenCache> hidden;
   TrainContext context;
   std::string from_hash;
+  std::vector<StageSummary> stages;
+  std::vector<std::string> curves;  // files, in the order of `stages`
 
   Impl(const TrainConfig& c, const TrainOptions& o)
       : config(c),
@@ -143,9 +146,13 @@ struct Trainer::Impl {
     module->to(context.device);
   }
 
-  StageRun RunOf(const std::string& key) const {
+  std::string WeightsFolder() const {
+    return options.variant.empty() ? options.folder : options.folder + "/" + options.variant;
+  }
+
+  StageRun RunOf(const std::string& stage, const std::string& key) const {
     StageRun run;
-    run.folder = options.folder;
+    run.folder = options.folder + "/stages/" + stage + "-" + key;
     run.key = key;
     run.seed = config.seed;
     run.shards = config.shards;
@@ -176,8 +183,9 @@ struct Trainer::Impl {
                   config.repeat_last, config.start_share, config.done_weight});
   }
   std::string TransformKey() const {
-    json inputs = {"transform-image-2", TransformHiddenKey(), ClassifierKey(),
-                   config.transform_image, config.lambda};
+    json inputs = {"transform-image-2", TransformHiddenKey(),
+                   config.lambda > 0 ? ClassifierKey() : "no classifier", config.transform_image,
+                   config.lambda};
     if (config.picture_weight != 1.0) inputs.push_back(config.picture_weight);
     if (config.adversary != "none") {
       inputs.insert(inputs.end(),
@@ -186,18 +194,38 @@ struct Trainer::Impl {
     return KeyOf(inputs);
   }
   std::string HeadsKey() const {
-    return KeyOf({"heads-1", TransformKey(), config.heads, config.imagined_share});
+    json inputs = {"heads-1", TransformKey(), config.heads, config.imagined_share};
+    if (!samples.successors.empty()) inputs.push_back(samples.successors);
+    return KeyOf(inputs);
   }
 
   /// Trains a stage, or, where it was not asked for but is needed by a later one, loads its result.
-  void TrainOrLoad(const std::string& wanted_by, Stage* stage, const std::string& key) const {
-    if (Wants(wanted_by)) {
-      RunStage(stage, RunOf(key));
-    } else if (!LoadFinished(stage, RunOf(key))) {
+  void TrainOrLoad(const std::string& wanted_by, Stage* stage, const std::string& key) {
+    const StageRun run = RunOf(stage->name(), key);
+    const StageOutcome outcome = Wants(wanted_by) ? RunStage(stage, run) : LoadFinished(stage, run);
+    if (!outcome.finished) {
       throw std::invalid_argument("stage '" + wanted_by +
                                   "' has not been trained from these inputs in " + options.folder +
                                   "; ask for it, too");
     }
+    stages.push_back(
+        {stage->name(), stage->config().iterations, stage->config().batch, outcome.seconds});
+    curves.push_back(run.folder + "/curves.csv");
+  }
+
+  /// The curves of all stages of this run as one file.
+  void JoinCurves() const {
+    std::string text = "stage,iteration,name,value\n";
+    for (const std::string& path : curves) {
+      std::ifstream in(path);
+      std::string line;
+      std::getline(in, line);  // the heading
+      while (std::getline(in, line)) text += line + "\n";
+    }
+    const std::string path = WeightsFolder() + "/curves.csv";
+    std::ofstream out(path);
+    out << text;
+    if (!out.flush()) throw std::runtime_error(path + ": cannot be written; is the disk full?");
   }
 
   void TrainClassifier(const std::string& name, Classifier classifier) {
@@ -239,14 +267,14 @@ struct Trainer::Impl {
     for (const auto& [name, module] : context.networks.named()) {
       if (name == "value" || name == "q" || name == "p") Initialise(name, module);
     }
-    RunStage(MakeHeadsStage(context).get(), RunOf(HeadsKey()));
+    TrainOrLoad("heads", MakeHeadsStage(context).get(), HeadsKey());
   }
 };
 
 Trainer::Trainer(const TrainConfig& config, const TrainOptions& options) {
   Validate(config);
   RequireKnownStages(options.stages);
-  fs::create_directories(options.folder);
+  fs::create_directories(options.folder + "/" + options.variant);
   at::set_num_threads(1);  // shards are the parallelism; see RunStage
   impl_ = std::make_unique<Impl>(config, options);
 }
@@ -259,8 +287,9 @@ void Trainer::Run() {
   Networks& networks = run.context.networks;
   const bool heads = run.Wants("heads");
   const bool transform = run.Wants("transform") || heads;
-  const bool image_loss = transform && run.config.transform_image.iterations > 0;
-  if (run.Wants("classifier") || image_loss) run.TrainClassifier("classifier", networks.classifier);
+  const bool judges =
+      transform && run.config.transform_image.iterations > 0 && run.config.lambda > 0;
+  if (run.Wants("classifier") || judges) run.TrainClassifier("classifier", networks.classifier);
   if (run.Wants("second-classifier")) {
     run.TrainClassifier("second-classifier", networks.second_classifier);
   }
@@ -270,6 +299,7 @@ void Trainer::Run() {
     run.TrainTransform();
   }
   if (heads) run.TrainHeads();
+  run.JoinCurves();
   networks.SetTraining(false);
 }
 
@@ -290,5 +320,7 @@ const TrainContext& Trainer::context() const { return impl_->context; }
 const TrialFile& Trainer::file() const { return impl_->file; }
 const std::string& Trainer::data_hash() const { return impl_->data_hash; }
 const TrainOptions& Trainer::options() const { return impl_->options; }
+std::string Trainer::weights_folder() const { return impl_->WeightsFolder(); }
+const std::vector<StageSummary>& Trainer::stages() const { return impl_->stages; }
 
 }  // namespace prospect::model

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "model/training/context.h"
 
@@ -11,14 +12,25 @@ namespace prospect::model {
 /// How a training run is asked for.
 struct TrainOptions {
   std::string task;
-  std::string data;    ///< an HDF5 data set (model/dataset.h)
-  std::string folder;  ///< DIR: checkpoints, caches, curves.csv, the weights
-  std::string from;    ///< a weights file to begin from; empty = from random weights
+  std::string data;  ///< an HDF5 data set (model/dataset.h)
+  /// DIR: stages (each under a name that says what it was trained from, so that variants share
+  /// what they have in common), caches; the weights and curves.csv, without a variant.
+  std::string folder;
+  std::string variant;  ///< weights and curves.csv go to DIR/VARIANT; empty = to DIR
+  std::string from;     ///< a weights file to begin from; empty = from random weights
   std::string device = "cpu";
   int threads = 2;
   /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder,
   /// transform, heads.
   std::set<std::string> stages;
+};
+
+/// One stage of a run, for tables.
+struct StageSummary {
+  std::string name;
+  std::int64_t iterations = 0;
+  int batch = 0;
+  double seconds = 0;  ///< StageOutcome::seconds
 };
 
 /// The whole training order (DESIGN §5): C and a second classifier, encoder and decoder, T, then V,
@@ -44,6 +56,10 @@ class Trainer {
   /// Hash of labels and configuration that everything depends on.
   const std::string& data_hash() const;
   const TrainOptions& options() const;
+  /// Where weights and curves go; made by the constructor.
+  std::string weights_folder() const;
+  /// What Run went through, in order.
+  const std::vector<StageSummary>& stages() const;
 
  private:
   struct Impl;

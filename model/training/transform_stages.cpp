@@ -223,7 +223,7 @@ class TransformImageStage : public TransformStage {
     result->loss = result->loss + context_.config.picture_weight * loss;
     result->parts.emplace_back("l1_x" + std::to_string(step + 1),
                                (error.mean({1, 2, 3}) * weights).mean().item<double>());
-    if (step == 1) AddClassifierLoss(x, batch, step, result);
+    if (step == 1 && context_.config.lambda > 0) AddClassifierLoss(x, batch, step, result);
     return {x, goal};
   }
 

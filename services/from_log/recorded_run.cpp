@@ -94,6 +94,10 @@ void RecordedRun::Describe(std::int64_t end, model::Trial& trial) const {
   trial.light = last.light;
   trial.present.assign(last.present.begin(), last.present.end());
   trial.num_actions = task_->num_actions;
+  for (const action_t& action : task_->actions) {
+    trial.successors.push_back(Widen(action.successors));
+  }
+  trial.successors.push_back(Widen(task_->initial));
   trial.plan_length = task_->plan_length;
   trial.world_version = task_->world_version;
   trial.task_hash = DataSetTaskHash(*task_);

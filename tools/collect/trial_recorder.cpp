@@ -57,6 +57,7 @@ model::Trial TrialRecorder::Finish(double image_noise) const {
   trial.reason = progress.reason;
   trial.image_noise = image_noise;
   trial.light = task_.light();
+  trial.successors = task_.spec().successors;
   for (bool present : task_.PresentActions()) trial.present.push_back(present ? 1 : 0);
   return trial;
 }

@@ -42,6 +42,7 @@ void ExpectSame(const Trial& a, const Trial& b) {
   EXPECT_EQ(a.dones, b.dones);
   EXPECT_EQ(a.present, b.present);
   EXPECT_EQ(a.num_actions, b.num_actions);
+  EXPECT_EQ(a.successors, b.successors);
   EXPECT_EQ(a.plan_length, b.plan_length);
   EXPECT_EQ(a.world_version, b.world_version);
   EXPECT_EQ(a.task_hash, b.task_hash);
@@ -54,6 +55,7 @@ TEST_F(DatasetTest, ATrialComesBackAsItWas) {
   Trial trial = MadeTrial(7, 3, true);
   trial.image_noise = 0.01;
   trial.light = 0.93;
+  trial.successors = {{1}, {0, 2}, {}, {0, 1, 2}};
   WriteTrialFile(Path("t.h5"), trial);
   const TrialFile file(Path("t.h5"));
   ASSERT_EQ(file.size(), 1U);
@@ -107,6 +109,14 @@ TEST_F(DatasetTest, PackJoinsInTheOrderOfSeeds) {
   EXPECT_EQ(summary.segments, 7U);
   EXPECT_EQ(summary.segments_succeeded, 6U);
   EXPECT_EQ(summary.train + summary.valid + summary.test, 3U);
+}
+
+TEST_F(DatasetTest, PackKeepsWhatMayFollow) {
+  Trial trial = MadeTrial(3);
+  trial.successors = {{1}, {2}, {0}, {0, 1, 2}};
+  WriteTrialFile(Path("3.h5"), trial);
+  PackTrialFiles({Path("3.h5")}, Path("all.h5"));
+  EXPECT_EQ(TrialFile(Path("all.h5")).ReadLabels(0).successors, trial.successors);
 }
 
 TEST_F(DatasetTest, APackedFileCanBePackedAgain) {
@@ -221,6 +231,8 @@ TEST(ValidateTrial, RefusesWhatBreaksTheRules) {
   refused([](Trial* t) { t->segment[4] = 5; });
   refused([](Trial* t) { t->segment_succeeded.pop_back(); });
   refused([](Trial* t) { t->present.pop_back(); });
+  refused([](Trial* t) { t->successors = {{0}, {1}, {2}}; });
+  refused([](Trial* t) { t->successors = {{0}, {1}, {2}, {3}}; });
 }
 
 TEST(Split, IsFrozen) {

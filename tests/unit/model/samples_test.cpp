@@ -79,10 +79,23 @@ TEST(Samples, AnActionMayFollowIfItIsOfferedAndNotTheLast) {
   Trial trial = MadeTrial(3);
   trial.present = {1, 0, 1};
   AddTrial(trial, 0, 0, &set);
-  EXPECT_TRUE(MayFollow(set.trials[0], 3, 0));
-  EXPECT_FALSE(MayFollow(set.trials[0], 3, 1)) << "not on site";
-  EXPECT_FALSE(MayFollow(set.trials[0], 2, 2)) << "just done";
-  EXPECT_TRUE(MayFollow(set.trials[0], 0, 2));
+  EXPECT_TRUE(MayFollow(set, set.trials[0], 3, 0));
+  EXPECT_FALSE(MayFollow(set, set.trials[0], 3, 1)) << "not on site";
+  EXPECT_FALSE(MayFollow(set, set.trials[0], 2, 2)) << "just done";
+  EXPECT_TRUE(MayFollow(set, set.trials[0], 0, 2));
+}
+
+TEST(Samples, AnActionMayFollowIfTheGraphLetsIt) {
+  SampleSet set;
+  Trial trial = MadeTrial(3);
+  trial.present = {1, 0, 1};
+  trial.successors = {{0, 1}, {}, {2}, {0}};
+  AddTrial(trial, 0, 0, &set);
+  EXPECT_TRUE(MayFollow(set, set.trials[0], 0, 0)) << "the graph lets it repeat";
+  EXPECT_FALSE(MayFollow(set, set.trials[0], 0, 1)) << "not on site";
+  EXPECT_FALSE(MayFollow(set, set.trials[0], 0, 2));
+  EXPECT_TRUE(MayFollow(set, set.trials[0], 3, 0)) << "at the start";
+  EXPECT_FALSE(MayFollow(set, set.trials[0], 3, 2));
 }
 
 TEST(Samples, TrialsWithoutActionsAreNotTrainedOn) {

@@ -128,7 +128,7 @@ class EncoderRun {
   }
   bool Run(std::int64_t stop) {
     run_.stop_after = stop;
-    return RunStage(stage_.get(), run_);
+    return RunStage(stage_.get(), run_).finished;
   }
   StageRun& run() { return run_; }
   torch::Tensor Weights() const {
@@ -249,7 +249,7 @@ class AdversarialRun {
     run.key = "key";
     run.checkpoint_seconds = 0;
     run.stop_after = stop_after;
-    return RunStage(MakeTransformImageStage(context_).get(), run);
+    return RunStage(MakeTransformImageStage(context_).get(), run).finished;
   }
 
  private:

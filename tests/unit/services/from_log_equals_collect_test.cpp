@@ -83,6 +83,7 @@ void ExpectSameTrial(const model::Trial& recorded, const model::Trial& collected
   EXPECT_EQ(recorded.outcome, collected.outcome);
   EXPECT_EQ(recorded.reason, collected.reason);
   EXPECT_EQ(recorded.present, collected.present);
+  EXPECT_EQ(recorded.successors, collected.successors);
   EXPECT_EQ(recorded.light, collected.light);
   EXPECT_EQ(recorded.plan_length, collected.plan_length);
   EXPECT_EQ(recorded.world_version, collected.world_version);
