@@ -1,5 +1,7 @@
 #include "model/training/context.h"
 
+#include <stdexcept>
+
 namespace prospect::model {
 
 torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_picture,
@@ -10,6 +12,15 @@ torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_pic
 
 int TurnOf(const TrainConfig& config, int trial_index, int variant) {
   return config.augment == "dihedral" ? (trial_index + variant) % 8 : 0;
+}
+
+torch::Device DeviceNamed(const std::string& name) {
+  if (name == "cuda" && !torch::cuda::is_available()) {
+    throw std::invalid_argument(
+        "device 'cuda': libtorch finds no GPU here; take --device cpu, or a build with CUDA's "
+        "libtorch on a machine that has one");
+  }
+  return torch::Device(name);
 }
 
 torch::Tensor ActionTensor(const std::vector<int>& actions, const torch::Device& device) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "model/networks/light.h"
 #include "model/networks/networks.h"
 #include "model/training/landmarks.h"
@@ -40,6 +43,9 @@ struct TrainContext {
 /// the mean picture by 0.18 or more in some channel, 1 below 0.08, linear between; [B,1,H,W].
 /// (Below 0.08 lies the light that changes from trial to trial.) focus = 0 gives ones.
 torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_picture, double focus);
+
+/// "cpu" or "cuda". Throws std::invalid_argument where libtorch finds no GPU.
+torch::Device DeviceNamed(const std::string& name);
 
 /// Indices of actions as a tensor [n] int64 on `device`.
 torch::Tensor ActionTensor(const std::vector<int>& actions, const torch::Device& device);
