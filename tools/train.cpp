@@ -5,6 +5,7 @@
 #include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@
 namespace prospect {
 namespace {
 
-constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
+constexpr int kExitUsage = 2, kExitFailed = 4, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 struct Arguments {
   model::TrainOptions options;
@@ -28,6 +29,7 @@ struct Arguments {
   std::int64_t iterations = 0;
   std::int64_t seed = -1;
   std::vector<std::string> stages;
+  bool finetune = false;
   bool print_config = false;
 };
 
@@ -48,6 +50,8 @@ void AddOptions(CLI::App* app, Arguments* a) {
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
   app->add_option("--variant", a->options.variant, VariantHelp());
+  app->add_flag("--finetune", a->finetune,
+                "let encoder and decoder learn on with the transform network");
   app->add_option("--device", a->options.device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}));
   app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
@@ -79,6 +83,7 @@ model::TrainConfig ConfigOf(const Arguments& a) {
   if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
   // Last, so that all variants share what comes before T, whatever they change of T's iterations.
   if (!a.options.variant.empty()) model::ApplyVariant(a.options.variant, &config);
+  if (a.finetune) config.finetune = true;
   if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
   return config;
 }
@@ -133,6 +138,8 @@ int Run(Arguments a) {
   return 0;
 }
 
+std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 int RunGuarded(const Arguments& a) {
   try {
     return Run(a);
@@ -145,6 +152,12 @@ int RunGuarded(const Arguments& a) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "prospect-train: %s\n", error.what());
     return kExitUsage;
+  } catch (const std::range_error& error) {
+    std::fprintf(stderr, "prospect-train: %s\n", error.what());
+    return kExitFailed;
+  } catch (const c10::Error& error) {  // as when the GPU's memory is full
+    std::fprintf(stderr, "prospect-train: %s\n", FirstLine(error.what_without_backtrace()).c_str());
+    return kExitFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prospect-train: %s\n", error.what());
     return kExitDisk;

@@ -50,10 +50,14 @@ torch::Tensor ChainBatch::First() const {
   return context_.hidden->Get(FirstSlots(), variants_).to(context_.device);
 }
 
-torch::Tensor ChainBatch::Start() const {
+std::vector<int> ChainBatch::StartSlots() const {
   std::vector<int> slots;
   for (const Chain& chain : chains_) slots.push_back(chain.start);
-  return context_.hidden->Get(slots, variants_).to(context_.device);
+  return slots;
+}
+
+torch::Tensor ChainBatch::Start() const {
+  return context_.hidden->Get(StartSlots(), variants_).to(context_.device);
 }
 
 std::vector<int> ChainBatch::Turns() const {

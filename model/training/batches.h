@@ -46,6 +46,7 @@ class ChainBatch {
   torch::Tensor Succeeded(int step) const;  ///< [B], f's label
   std::vector<int> Turns() const;           ///< how each row's pictures are turned
   std::vector<int> FirstSlots() const;      ///< slots of x0
+  std::vector<int> StartSlots() const;      ///< slots of the states they begin from
   /// Slots of the goal pictures.
   std::vector<int> GoalSlots(int step) const;
 

@@ -45,24 +45,7 @@ class Slots {
   std::map<int, int> slots_;
 };
 
-struct Span {
-  int first = 0;  ///< first frame of the segment
-  int goal = 0;   ///< first frame of the next one, or the trial's last
-};
-
-std::vector<Span> SpansOf(const Trial& trial) {
-  std::vector<Span> spans(static_cast<std::size_t>(trial.segments()));
-  for (int i = trial.frames() - 1; i >= 0; --i) {
-    const int s = trial.segment[static_cast<std::size_t>(i)];
-    if (s >= 0) spans[static_cast<std::size_t>(s)].first = i;
-  }
-  for (std::size_t s = 0; s < spans.size(); ++s) {
-    spans[s].goal = s + 1 < spans.size() ? spans[s + 1].first : trial.frames() - 1;
-  }
-  return spans;
-}
-
-std::vector<int> ChooseMids(const Trial& trial, const Span& span, int count) {
+std::vector<int> ChooseMids(const Trial& trial, const SegmentSpan& span, int count) {
   const int margin =
       std::max(1, static_cast<int>(std::ceil(kUnsureSeconds / trial.tick_seconds - 1e-9)));
   const int room = span.goal - margin - span.first;  // frames first+1 .. goal-margin
@@ -101,6 +84,18 @@ std::vector<int> IndicesOf(const Items& items, Split split, const SplitOfItem& s
 }
 
 }  // namespace
+
+std::vector<SegmentSpan> SegmentSpans(const Trial& trial) {
+  std::vector<SegmentSpan> spans(static_cast<std::size_t>(trial.segments()));
+  for (int i = trial.frames() - 1; i >= 0; --i) {
+    const int s = trial.segment[static_cast<std::size_t>(i)];
+    if (s >= 0) spans[static_cast<std::size_t>(s)].first = i;
+  }
+  for (std::size_t s = 0; s < spans.size(); ++s) {
+    spans[s].goal = s + 1 < spans.size() ? spans[s + 1].first : trial.frames() - 1;
+  }
+  return spans;
+}
 
 std::vector<int> SampleSet::TrialsOf(Split split) const {
   std::vector<int> indices;
@@ -145,7 +140,7 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
   sample.present = trial.present;
   sample.first_segment = static_cast<int>(set->segments.size());
   sample.segments = trial.segments();
-  const std::vector<Span> spans = SpansOf(trial);
+  const std::vector<SegmentSpan> spans = SegmentSpans(trial);
   for (std::size_t s = 0; s < spans.size(); ++s) {
     const auto first = static_cast<std::size_t>(spans[s].first);
     SegmentSample segment;

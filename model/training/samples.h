@@ -61,6 +61,15 @@ struct SampleSet {
   std::vector<int> FramesOf(Split split) const;
 };
 
+/// Where a segment lies in its trial.
+struct SegmentSpan {
+  int first = 0;  ///< its first frame
+  int goal = 0;   ///< the frame of its goal picture: the next segment's first, or the trial's last
+};
+
+/// The spans of all segments of a trial.
+std::vector<SegmentSpan> SegmentSpans(const Trial& trial);
+
 /// Reads all labels and chooses the frames: each trial's first, each segment's start and goal, and
 /// `mids_per_segment` inside it. Throws DataError.
 SampleSet ReadSamples(const TrialFile& file, int mids_per_segment);

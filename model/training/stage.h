@@ -60,7 +60,7 @@ struct StageOutcome {
 /// Writes DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`,
 /// and rows to DIR/curves.csv; progress with an estimate of the time left goes to stderr. Not
 /// finished only if `stop_after` ended it early. Throws std::runtime_error if a file cannot be
-/// written or the loss stops being a number.
+/// written, std::range_error if the loss stops being a number.
 StageOutcome RunStage(Stage* stage, const StageRun& run);
 
 /// Only loads the finished result of `run.key`, into inference mode; not finished if there is none.

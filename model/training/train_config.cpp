@@ -51,11 +51,11 @@ TrainConfig Stacking() {
   c.mids_per_segment = 2;
   c.focus = 5.0;
   c.landmark_weight = 2.0;
-  c.classifier = {10000, 16, 1e-3};
-  c.encoder_decoder = {10000, 16, 1.5e-3};
+  c.classifier = {20000, 8, 1e-3};
+  c.encoder_decoder = {20000, 8, 1.5e-3};
   c.transform_hidden = {6000, 32, 1e-3};
   c.transform_image = {600, 16, 3e-4};
-  c.heads = {3000, 32, 1e-3};
+  c.heads = {4000, 8, 1e-3};
   c.repeat_last = false;
   c.done_weight = 0.2;
   return c;
@@ -142,6 +142,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"repeat_last", c.repeat_last},
           {"picture_weight", c.picture_weight},
           {"adversary", c.adversary},
+          {"finetune", c.finetune},
           {"judge_steps", c.judge_steps},
           {"judge_clip", c.judge_clip},
           {"judge_rate", c.judge_rate},
@@ -171,6 +172,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("repeat_last", &c.repeat_last)
       .Read("picture_weight", &c.picture_weight)
       .Read("adversary", &c.adversary)
+      .Read("finetune", &c.finetune)
       .Read("judge_steps", &c.judge_steps)
       .Read("judge_clip", &c.judge_clip)
       .Read("judge_rate", &c.judge_rate)

@@ -66,6 +66,8 @@ struct TrainConfig {
   /// "none", or the judge in T's loss on pictures (model/training/adversary.h): "pix2pix" or
   /// "wgan". Needs two linked steps.
   std::string adversary = "none";
+  /// Encoder and decoder learn on with T in its loss on pictures, instead of staying as they are.
+  bool finetune = false;
   int judge_steps = 10;      ///< wgan: iterations of the judge alone before each of T
   double judge_clip = 0.01;  ///< wgan: its weights stay within +- this
   double judge_rate = 2.0;   ///< its learning rate, as a multiple of T's (authors' code)

@@ -50,24 +50,6 @@ void RequireKnownStages(const std::set<std::string>& stages) {
   }
 }
 
-SampleSet ReadSamplesOfTask(const TrialFile& file, const TrainConfig& config,
-                            const std::string& task) {
-  std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
-  SampleSet samples = ReadSamples(file, config.mids_per_segment);
-  if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");
-  if (samples.task != task) {
-    throw DataError(file.path() + ": holds trials of '" + samples.task + "', not of '" + task +
-                    "'");
-  }
-  const NetworkConfig& n = config.network;
-  if (samples.num_actions != n.num_actions || samples.width != n.image_width ||
-      samples.height != n.image_height) {
-    throw DataError(file.path() +
-                    ": number of actions or picture size differ from the configuration");
-  }
-  return samples;
-}
-
 /// Said before hours of training rather than after them.
 void RequireEveryPart(const TrialFile& file, const SampleSet& samples) {
   for (const Split split : {Split::kTrain, Split::kValid, Split::kTest}) {
@@ -76,6 +58,53 @@ void RequireEveryPart(const TrialFile& file, const SampleSet& samples) {
                     " trials is in the " + SplitName(split) +
                     " part, which is a function of a trial's seed: add trials of other seeds");
   }
+}
+
+void RequireSuccess(const TrialFile& file, const SampleSet& samples) {
+  const std::vector<int> trials = samples.TrialsOf(Split::kTrain);
+  for (const int t : trials) {
+    if (samples.trials[static_cast<std::size_t>(t)].succeeded) return;
+  }
+  throw DataError(file.path() + ": none of the " + std::to_string(trials.size()) +
+                  " trials in its train part succeeded, so V and Q have nothing to learn: add "
+                  "trials that succeed");
+}
+
+SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
+                         const TrainOptions& options) {
+  std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
+  SampleSet samples = ReadSamples(file, config.mids_per_segment);
+  if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");
+  if (samples.task != options.task) {
+    throw DataError(file.path() + ": holds trials of '" + samples.task + "', not of '" +
+                    options.task + "'");
+  }
+  const NetworkConfig& n = config.network;
+  if (samples.num_actions != n.num_actions || samples.width != n.image_width ||
+      samples.height != n.image_height) {
+    throw DataError(file.path() +
+                    ": number of actions or picture size differ from the configuration");
+  }
+  if (options.stages.empty()) RequireEveryPart(file, samples);
+  if (options.stages.empty() || options.stages.count("heads") > 0) RequireSuccess(file, samples);
+  return samples;
+}
+
+/// One network from a weights file, or from the classifiers' file beside it.
+void LoadNetwork(const std::string& weights, const std::string& prefix, torch::nn::Module* module) {
+  const WeightsFile planning = ReadWeights(weights);
+  const bool classifier = prefix == "classifier" || prefix == "second_classifier";
+  if (!classifier || HasModule(planning, prefix)) {
+    LoadModule(planning, weights, prefix, module);
+  } else {
+    LoadModule(ClassifiersPath(weights), prefix, module);
+  }
+}
+
+/// Hash of the classifiers' file beside a weights file; empty if there is none.
+std::string ClassifiersHash(const std::string& weights) {
+  const std::string beside = ClassifiersPath(weights);
+  return fs::exists(beside) ? HexText(WeightsFileHash(beside)) : "";
 }
 
 ProgressFn ProgressOf(const std::string& what) {
@@ -102,7 +131,7 @@ struct Trainer::Impl {
   PictureCache pictures;
   std::unique_ptr<HiddenCache> hidden;
   TrainContext context;
-  std::string from_hash;
+  std::string from_hash, from_classifiers;
   std::vector<StageSummary> stages;
   std::vector<std::string> curves;  // files, in the order of `stages`
 
@@ -110,19 +139,29 @@ struct Trainer::Impl {
       : config(c),
         options(o),
         file(o.data),
-        samples(ReadSamplesOfTask(file, c, o.task)),
+        samples(ReadSamplesFor(file, c, o)),
         data_hash(file.ContentHash()),
         data_key(KeyOf({"data-2", data_hash, c.mids_per_segment})),
         pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
-        context{config, samples, pictures, nullptr, Networks(c.network), torch::Device(o.device),
+        context{config, samples, pictures, nullptr, Networks(c.network), DeviceNamed(o.device),
                 {}} {
-    if (options.stages.empty()) RequireEveryPart(file, samples);
     if (config.landmark_weight > 0 && samples.num_landmarks > 0) {
       context.landmarks = LandmarkReadout(c.network.hidden_channels, samples.num_landmarks,
                                           LandmarkReadoutImpl::kHiddenScale);
     }
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
-    if (!o.from.empty()) from_hash = HexText(WeightsFileHash(o.from));
+    if (!o.from.empty()) {
+      from_hash = HexText(WeightsFileHash(o.from));
+      from_classifiers = ClassifiersHash(o.from);
+    }
+  }
+
+  /// Refuses weights that do not fit now rather than when their stage begins.
+  static void RequireFittingWeights(const TrainConfig& config, const TrainOptions& options) {
+    if (options.from.empty() || !options.stages.empty()) return;
+    for (const auto& [name, module] : Networks(config.network).named()) {
+      LoadNetwork(options.from, name, module);
+    }
   }
 
   bool Wants(const std::string& stage) const {
@@ -135,7 +174,7 @@ struct Trainer::Impl {
     InitialiseFresh(prefix, module);
     if (options.from.empty()) return;
     module->to(torch::kCPU);
-    LoadModule(options.from, prefix, module);
+    LoadNetwork(options.from, prefix, module);
     module->to(context.device);
   }
 
@@ -166,9 +205,16 @@ struct Trainer::Impl {
     return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});
   }
   std::string ClassifierKey() const {
-    return KeyOf({"classifier-3", BaseKey(), PictureNetwork(config.network),
-                  config.network.num_actions, config.network.head_dropout, config.augment,
-                  config.landmark_weight, config.classifier});
+    json inputs = {"classifier-3",
+                   BaseKey(),
+                   PictureNetwork(config.network),
+                   config.network.num_actions,
+                   config.network.head_dropout,
+                   config.augment,
+                   config.landmark_weight,
+                   config.classifier};
+    if (!from_classifiers.empty()) inputs.push_back(from_classifiers);
+    return KeyOf(inputs);
   }
   std::string EncoderKey() const {
     return KeyOf({"encoder-3", BaseKey(), PictureNetwork(config.network), config.augment,
@@ -176,6 +222,9 @@ struct Trainer::Impl {
   }
   std::string HiddenKey() const {
     return KeyOf({"hidden-2", EncoderKey(), config.hidden_variants});
+  }
+  std::string FinetunedKey() const {
+    return KeyOf({"hidden-2", TransformKey(), config.hidden_variants});
   }
   std::string TransformHiddenKey() const {
     return KeyOf({"transform-hidden-2", HiddenKey(), TransformNetwork(config.network),
@@ -191,6 +240,7 @@ struct Trainer::Impl {
       inputs.insert(inputs.end(),
                     {config.adversary, config.judge_steps, config.judge_clip, config.judge_rate});
     }
+    if (config.finetune) inputs.push_back("finetune");
     return KeyOf(inputs);
   }
   std::string HeadsKey() const {
@@ -240,11 +290,10 @@ struct Trainer::Impl {
     TrainOrLoad("encoder-decoder", MakeEncoderDecoderStage(context).get(), EncoderKey());
   }
 
-  void Encode() {
+  void Encode(const std::string& key) {
     const NetworkConfig& n = config.network;
     hidden = std::make_unique<HiddenCache>(
-        CachePath(options, "hidden", HiddenKey()), pictures, samples.frames.size(),
-        config.hidden_variants,
+        CachePath(options, "hidden", key), pictures, samples.frames.size(), config.hidden_variants,
         [this](int slot, int variant) {
           return context.Turn(samples.frames[static_cast<std::size_t>(slot)].trial, variant);
         },
@@ -274,6 +323,8 @@ struct Trainer::Impl {
 Trainer::Trainer(const TrainConfig& config, const TrainOptions& options) {
   Validate(config);
   RequireKnownStages(options.stages);
+  DeviceNamed(options.device);  // before anything is read
+  Impl::RequireFittingWeights(config, options);
   fs::create_directories(options.folder + "/" + options.variant);
   at::set_num_threads(1);  // shards are the parallelism; see RunStage
   impl_ = std::make_unique<Impl>(config, options);
@@ -295,8 +346,9 @@ void Trainer::Run() {
   }
   if (run.Wants("encoder-decoder") || transform) run.TrainEncoder();
   if (transform) {
-    run.Encode();
+    run.Encode(run.HiddenKey());
     run.TrainTransform();
+    if (run.config.finetune && heads) run.Encode(run.FinetunedKey());
   }
   if (heads) run.TrainHeads();
   run.JoinCurves();

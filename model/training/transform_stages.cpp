@@ -103,18 +103,18 @@ class TransformHiddenStage : public TransformStage {
 class TransformImageStage : public TransformStage {
  public:
   explicit TransformImageStage(const TrainContext& context) : TransformStage(context) {
-    context.networks.decoder.ptr()->eval();
-    context.networks.classifier.ptr()->eval();
-    for (const auto& [name, module] : context.networks.named()) {
-      if (name != "decoder" && name != "classifier") continue;
-      for (torch::Tensor& tensor : module->parameters()) tensor.set_requires_grad(false);
-    }
+    Freeze(context.networks.classifier.ptr().get());
+    if (!context.config.finetune) Freeze(context.networks.decoder.ptr().get());
     if (context.config.adversary != "none") MakeAdversary();
   }
   std::string name() const override { return "transform-image"; }
   const StageConfig& config() const override { return context_.config.transform_image; }
   std::vector<std::pair<std::string, torch::nn::Module*>> modules() const override {
     auto all = TransformStage::modules();
+    if (context_.config.finetune) {
+      all.emplace_back("encoder", context_.networks.encoder.ptr().get());
+      all.emplace_back("decoder", context_.networks.decoder.ptr().get());
+    }
     if (adversary_) all.emplace_back("judge", adversary_->judge().ptr().get());
     return all;
   }
@@ -148,6 +148,24 @@ class TransformImageStage : public TransformStage {
     torch::Tensor imagined, real;
   };
 
+  static void Freeze(torch::nn::Module* module) {
+    module->eval();
+    for (torch::Tensor& tensor : module->parameters()) tensor.set_requires_grad(false);
+  }
+
+  /// Encodings of pictures: from the cache while the encoder is frozen, else made anew.
+  torch::Tensor First(const ChainBatch& batch) const {
+    return context_.config.finetune ? Encoded(batch.FirstSlots(), batch) : batch.First();
+  }
+  torch::Tensor Start(const ChainBatch& batch) const {
+    return context_.config.finetune ? Encoded(batch.StartSlots(), batch) : batch.Start();
+  }
+  torch::Tensor Encoded(const std::vector<int>& slots, const ChainBatch& batch) const {
+    Encoder encoder = context_.networks.encoder;
+    const torch::Tensor x = Dihedral(context_.pictures.Get(slots), batch.Turns());
+    return encoder->forward(x.to(context_.device));
+  }
+
   void MakeAdversary() {
     torch::manual_seed(Mix64(context_.config.seed ^ HashText("judge")));
     adversary_ = std::make_unique<Adversary>(context_.config);
@@ -156,8 +174,8 @@ class TransformImageStage : public TransformStage {
 
   /// The loss without an adversary, and the pictures of the first two steps.
   std::vector<PicturePair> Imagine(const ChainBatch& batch, LossParts* result) const {
-    const torch::Tensor h0 = batch.First();
-    torch::Tensor h = batch.Start();
+    const torch::Tensor h0 = First(batch);
+    torch::Tensor h = Start(batch);
     const torch::Tensor gain = Gain(h0, batch);
     result->loss = torch::zeros({}, h.options());
     Networks networks = context_.networks;

@@ -284,6 +284,32 @@ TEST_F(TrainingTest, AnAdversaryTrainsAndItsKilledRunContinuesToTheSameWeights) 
   EXPECT_NE(curves.find("transform-image,25,l1_x2,"), std::string::npos);
 }
 
+TEST_F(TrainingTest, EncoderAndDecoderLearnOnWithTheTransformIfAsked) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder.iterations = 2;
+  config.lambda = 0;
+  TrainOptions options = Options("run");
+  options.stages = {"encoder-decoder", "transform"};
+  Trainer frozen(config, options);
+  frozen.Run();
+  config.finetune = true;
+  Trainer tuned(config, options);
+  tuned.Run();
+  const Networks& a = frozen.context().networks;
+  const Networks& b = tuned.context().networks;
+  EXPECT_FALSE(Same(CopyOf(*a.encoder), CopyOf(*b.encoder)));
+  EXPECT_FALSE(Same(CopyOf(*a.decoder), CopyOf(*b.decoder)));
+  options.stages.insert("heads");  // they look at what the tuned encoder says
+  Trainer again(config, options);
+  again.Run();
+  const SampleSet& samples = again.context().samples;
+  const std::vector<int> slot = {samples.trials[0].first};
+  Networks networks = again.context().networks;
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor h = networks.encoder->forward(again.context().pictures.Get(slot));
+  EXPECT_TRUE(h.allclose(again.context().hidden->Get(slot, {0}), 1e-4, 1e-5));
+}
+
 TEST_F(TrainingTest, ThreadsDoNotChangeTheResult) {
   TrainConfig config = TinyConfig();
   config.encoder_decoder.iterations = 5;

@@ -1,0 +1,256 @@
+// prospect-tables: the paper's two tables, of any set of trained variants (paper, tables of §V:
+// successful examples only, and all of them), on the held-out trials of a data set.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "model/hash.h"
+#include "model/training/export.h"
+#include "model/training/variants.h"
+#include "model/weights.h"
+#include "tools/common/progress.h"
+#include "tools/tables/report.h"
+#include "tools/tables/row_cache.h"
+
+namespace prospect::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
+
+struct Arguments {
+  std::string task = "stacking";
+  TableData data;
+  std::string models;   // folder with VARIANT/TASK.safetensors
+  std::string weights;  // one more row
+  std::string judge;    // whose second classifier reads the labels
+  std::string out;
+};
+
+void AddOptions(CLI::App* app, Arguments* a) {
+  app->add_option("--task", a->task, "the task")->capture_default_str();
+  app->add_option("--data", a->data.path, "data set made by collect (HDF5)")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app->add_option("--models", a->models,
+                  "folder that train --variant wrote: VARIANT/TASK.safetensors a row")
+      ->check(CLI::ExistingDirectory);
+  app->add_option("--weights", a->weights, "a weights file as one more row")
+      ->check(CLI::ExistingFile);
+  app->add_option("--judge", a->judge,
+                  "classifiers file whose second classifier reads the labels of all rows (default: "
+                  "the first row's)")
+      ->check(CLI::ExistingFile);
+  app->add_option("--out", a->out, "folder for tables.md and tables.csv")->required();
+  app->add_option("--every", a->data.every, "take every so-many-th frame (1: all of them)")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_option("--trials", a->data.trials, "at most so many test trials (0: all)");
+  app->add_flag("--paper-tail", a->data.paper_tail,
+                "keep frames of a trial's last action, which have no second one: the first again, "
+                "as in the authors' code");
+  app->add_option("--threads", a->data.threads, "CPU threads")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+}
+
+struct Candidate {
+  std::string name;  // as the row is called
+  std::string path;  // of its weights file; empty = not trained
+};
+
+std::vector<Candidate> CandidatesOf(const Arguments& a) {
+  std::vector<Candidate> all;
+  if (!a.models.empty()) {
+    for (const model::Variant& variant : model::Variants()) {
+      const std::string path = a.models + "/" + variant.name + "/" + a.task + ".safetensors";
+      all.push_back({variant.in_table, fs::exists(path) ? path : ""});
+    }
+  }
+  if (!a.weights.empty()) all.push_back({fs::path(a.weights).filename().string(), a.weights});
+  return all;
+}
+
+struct LoadedModel {
+  model::Networks networks;
+  nlohmann::json metadata;
+};
+
+// Networks in inference mode, from a weights file and the classifiers' file beside it.
+LoadedModel Load(const std::string& path, const std::string& task) {
+  const model::WeightsFile planning = model::ReadWeights(path);
+  const std::string beside = model::ClassifiersPath(path);
+  const model::WeightsFile classifiers = model::ReadWeights(beside);
+  if (planning.metadata.value("task", "") != task) {
+    throw model::WeightsError(path + ": is not of task '" + task + "'");
+  }
+  LoadedModel loaded{model::Networks(planning.metadata.at("network").get<model::NetworkConfig>()),
+                     planning.metadata};
+  for (const auto& [name, module] : loaded.networks.named()) {
+    const bool here = model::HasModule(planning, name);
+    model::LoadModule(here ? planning : classifiers, here ? path : beside, name, module);
+  }
+  loaded.networks.SetTraining(false);
+  return loaded;
+}
+
+class Tables {
+ public:
+  explicit Tables(const Arguments& a) : a_(a), candidates_(CandidatesOf(a)) {
+    for (const Candidate& candidate : candidates_) {
+      if (!candidate.path.empty() && first_.empty()) first_ = candidate.path;
+    }
+    if (first_.empty()) {
+      throw std::invalid_argument(
+          "nothing to evaluate: give --weights FILE, or --models with "
+          "VARIANT/" +
+          a.task + ".safetensors inside");
+    }
+    if (a_.judge.empty()) a_.judge = model::ClassifiersPath(first_);
+    data_hash_ = model::TrialFile(a.data.path).ContentHash();
+    fs::create_directories(a.out + "/rows");
+    at::set_num_threads(1);  // trials are the parallelism
+  }
+
+  void Run() {
+    const LoadedModel first = Load(first_, a_.task);
+    judge_ = first.networks.second_classifier;
+    model::LoadModule(a_.judge, "second_classifier", judge_.ptr().get());
+    AddBaselines(first.networks);
+    for (const Candidate& candidate : candidates_) AddModel(candidate);
+    Write();
+  }
+
+ private:
+  // Everything that a row depends on.
+  std::string KeyOf(const std::string& what, const std::string& weights) const {
+    const nlohmann::json key = {"row-1",
+                                what,
+                                model::WeightsFileHash(weights),
+                                data_hash_,
+                                model::WeightsFileHash(a_.judge),
+                                a_.data.every,
+                                a_.data.trials,
+                                a_.data.paper_tail};
+    return model::HexText(model::HashText(key.dump()));
+  }
+
+  std::vector<Row> RowsOf(const std::string& what, const std::string& weights,
+                          const std::function<std::vector<Row>(const ScoreProgress&)>& make) const {
+    const std::string key = KeyOf(what, weights);
+    return CachedRows(a_.out + "/rows/" + key + ".json", key, [&] {
+      std::unique_ptr<Progress> bar;
+      return make([&](int /*done*/, int total) {
+        if (!bar) bar = std::make_unique<Progress>("trials of " + what, total);
+        bar->Step();
+      });
+    });
+  }
+
+  void AddBaselines(const model::Networks& networks) {
+    const auto rows = RowsOf("baselines", first_, [&](const ScoreProgress& progress) {
+      const Baselines b = ScoreBaselines(a_.data, networks, judge_, progress);
+      return std::vector<Row>{b.copy, b.reconstruction, b.goal};
+    });
+    lines_.push_back({"copy x", rows.at(0)});
+    lines_.push_back({"decode(encode(goal))", rows.at(1)});
+    lines_.push_back({"the goal itself, with sensor noise", rows.at(2)});
+  }
+
+  void AddModel(const Candidate& candidate) {
+    Line line;
+    line.name = candidate.name;
+    line.is_model = true;
+    if (!candidate.path.empty()) {
+      const LoadedModel loaded = Load(candidate.path, a_.task);
+      line.row = RowsOf(candidate.name, candidate.path, [&](const ScoreProgress& progress) {
+                   return std::vector<Row>{ScoreModel(a_.data, loaded.networks, judge_, progress)};
+                 }).at(0);
+      ReadEffort(loaded.metadata, &line);
+    }
+    lines_.push_back(std::move(line));
+  }
+
+  static void ReadEffort(const nlohmann::json& metadata, Line* line) {
+    for (const char* stage : {"transform_hidden", "transform_image"}) {
+      line->iterations += metadata.at("train").at(stage).at("iterations").get<std::int64_t>();
+    }
+    const nlohmann::json stages = metadata.value("stages", nlohmann::json::object());
+    for (const char* stage : {"transform-hidden", "transform-image"}) {
+      if (stages.contains(stage)) line->seconds += stages[stage].at("seconds").get<double>();
+    }
+  }
+
+  std::string Caption() const {
+    std::string text = "Held-out trials of task " + a_.task + " (data " + data_hash_ +
+                       "): one example a frame during an action";
+    if (a_.data.every > 1) text += ", every " + std::to_string(a_.data.every) + "th of them";
+    text += a_.data.paper_tail ? ", last actions twice" : ", last actions left out";
+    return text +
+           ". Errors against the clean goal pictures; labels read by a second classifier "
+           "that is in no loss. Brackets: 95 % by drawing trials anew. 'Composed' is the "
+           "picture that Prospect shows; it and C's own label are taken of every fifth "
+           "example.\n";
+  }
+
+  void Write() const {
+    const std::string text = "# Predicted pictures\n\n" + Caption() +
+                             "\n## Successful trials only\n\n" + MarkdownTable(lines_, true) +
+                             "\n## All trials\n\n" + MarkdownTable(lines_, false);
+    WriteText(a_.out + "/tables.md", text);
+    WriteText(a_.out + "/tables.csv", CsvTables(lines_));
+    std::printf("%s\n%s/tables.md and tables.csv\n", text.c_str(), a_.out.c_str());
+  }
+
+  static void WriteText(const std::string& path, const std::string& text) {
+    std::ofstream out(path);
+    out << text;
+    if (!out.flush()) throw std::runtime_error(path + ": cannot be written; is the disk full?");
+  }
+
+  Arguments a_;
+  std::vector<Candidate> candidates_;
+  std::string first_;  // weights file of the first row that is trained
+  std::string data_hash_;
+  model::Classifier judge_{nullptr};
+  std::vector<Line> lines_;
+};
+
+int RunGuarded(const Arguments& arguments) {
+  try {
+    Tables(arguments).Run();
+    return 0;
+  } catch (const model::DataError& error) {
+    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
+    return kExitData;
+  } catch (const model::WeightsError& error) {
+    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
+    return kExitWeights;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
+    return kExitDisk;
+  }
+}
+
+}  // namespace
+}  // namespace prospect::tools
+
+int main(int argc, char** argv) {
+  CLI::App app("Pictures and labels after one and two actions: a table of trained variants.");
+  prospect::tools::Arguments arguments;
+  prospect::tools::AddOptions(&app, &arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : prospect::tools::kExitUsage;
+  }
+  return prospect::tools::RunGuarded(arguments);
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace prospect::tools {
+
+/// What one example is measured by. Labels are 0 or 1: is the picture labelled with its action?
+/// Errors are mean absolute differences of pixels (0..1) from the clean goal picture.
+enum Column : std::size_t {
+  kX1Label,     ///< of the first predicted picture, by the judge (the second classifier)
+  kX1Error,     ///<
+  kX2Label,     ///< of the second
+  kX2Error,     ///<
+  kX1Composed,  ///< error of the picture that Prospect shows (model/networks/light.h)
+  kX2Composed,  ///<
+  kX2LabelOfC,  ///< label by C itself, which stands in the loss of some variants
+  kColumns
+};
+
+/// Sums over the examples of one trial, and how many there were.
+struct TrialSums {
+  double examples = 0;
+  double extras = 0;  ///< of these, the examples that the columns from kX1Composed on were taken of
+  std::array<double, kColumns> sum{};
+
+  void Add(const TrialSums& o) {
+    examples += o.examples;
+    extras += o.extras;
+    for (std::size_t c = 0; c < kColumns; ++c) sum[c] += o.sum[c];
+  }
+  /// Number of examples behind a column.
+  double Count(std::size_t column) const { return column >= kX1Composed ? extras : examples; }
+};
+
+}  // namespace prospect::tools

@@ -1,0 +1,101 @@
+#include "tools/tables/report.h"
+
+#include <cstdio>
+
+namespace prospect::tools {
+namespace {
+
+struct Heading {
+  Column column;
+  const char* text;  // Markdown
+  const char* name;  // CSV
+  bool is_share;
+};
+
+constexpr Heading kHeadings[] = {
+    {kX1Label, "x1 label, %", "x1_label", true},
+    {kX1Error, "x1 MAE", "x1_mae", false},
+    {kX2Label, "x2 label, %", "x2_label", true},
+    {kX2Error, "x2 MAE", "x2_mae", false},
+    {kX2LabelOfC, "x2 label by C, %", "x2_label_by_c", true},
+    {kX1Composed, "x1 MAE, composed", "x1_mae_composed", false},
+    {kX2Composed, "x2 MAE, composed", "x2_mae_composed", false},
+};
+
+template <typename... Values>
+std::string Text(const char* format, Values... values) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::vector<TrialSums> SumsOf(const Row& row, bool successful_only) {
+  std::vector<TrialSums> sums;
+  for (const Row::Trial& trial : row.trials) {
+    if (!successful_only || trial.succeeded) sums.push_back(trial.sums);
+  }
+  return sums;
+}
+
+std::string Cell(const Estimate& e, bool is_share) {
+  if (e.examples == 0) return "";
+  if (is_share) return Text("%.1f [%.1f, %.1f]", 100 * e.value, 100 * e.low, 100 * e.high);
+  return Text("%.4f [%.4f, %.4f]", e.value, e.low, e.high);
+}
+
+std::string MarkdownLine(const Line& line, bool successful_only) {
+  std::string text = "| " + line.name + " |";
+  const std::vector<TrialSums> sums =
+      line.row ? SumsOf(*line.row, successful_only) : std::vector<TrialSums>();
+  for (const Heading& heading : kHeadings) {
+    text += " " + Cell(Bootstrap(sums, heading.column), heading.is_share) + " |";
+  }
+  if (!line.row) return text + " not trained | | |\n";
+  text += Text(" %.0f |", Bootstrap(sums, kX1Error).examples);
+  if (!line.is_model) return text + " | |\n";
+  text += Text(" %lld |", static_cast<long long>(line.iterations));
+  return text + (line.seconds > 0 ? Text(" %.0f |", line.seconds) : std::string(" |")) + "\n";
+}
+
+std::string CsvCells(const Estimate& e) {
+  if (e.examples == 0) return ",,,,";
+  return Text(",%.6f,%.6f,%.6f,%.0f", e.value, e.low, e.high, e.examples);
+}
+
+std::string CsvLine(const Line& line, bool successful_only) {
+  std::string text = std::string(successful_only ? "successful" : "all") + "," + line.name;
+  const std::vector<TrialSums> sums =
+      line.row ? SumsOf(*line.row, successful_only) : std::vector<TrialSums>();
+  for (const Heading& heading : kHeadings) text += CsvCells(Bootstrap(sums, heading.column));
+  if (!line.row || !line.is_model) return text + ",,\n";
+  text += Text(",%lld", static_cast<long long>(line.iterations));
+  return text + (line.seconds > 0 ? Text(",%.1f", line.seconds) : std::string(",")) + "\n";
+}
+
+}  // namespace
+
+std::string MarkdownTable(const std::vector<Line>& lines, bool successful_only) {
+  std::string text = "| model |", rule = "|---|";
+  for (const Heading& heading : kHeadings) {
+    text += std::string(" ") + heading.text + " |";
+    rule += "---|";
+  }
+  text += " examples | iterations of T | seconds |\n" + rule + "---|---|---|\n";
+  for (const Line& line : lines) text += MarkdownLine(line, successful_only);
+  return text;
+}
+
+std::string CsvTables(const std::vector<Line>& lines) {
+  std::string text = "table,model";
+  for (const Heading& heading : kHeadings) {
+    const std::string name = heading.name;
+    text += "," + name + "," + name + "_low," + name + "_high," + name + "_examples";
+  }
+  text += ",iterations,seconds\n";
+  for (const bool successful_only : {true, false}) {
+    for (const Line& line : lines) text += CsvLine(line, successful_only);
+  }
+  return text;
+}
+
+}  // namespace prospect::tools
