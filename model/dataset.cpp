@@ -290,6 +290,18 @@ class Packer {
   std::size_t copied_ = 0;
 };
 
+/// Throws unless images are [N,height,width,3] as the trial's attributes say; returns N.
+hsize_t RequireImageShape(hid_t space, const Kind& kind, const std::string& trial) {
+  hsize_t dims[4] = {0, 0, 0, 0};
+  const bool rank = H5Sget_simple_extent_ndims(space) == 4;
+  if (rank) H5Sget_simple_extent_dims(space, dims, nullptr);
+  if (!rank || dims[1] != static_cast<hsize_t>(kind.height) ||
+      dims[2] != static_cast<hsize_t>(kind.width) || dims[3] != 3) {
+    throw DataError(trial + ": its images have another shape than its labels say; damaged");
+  }
+  return dims[0];
+}
+
 void SelectFrame(hid_t space, int frame, const Trial& trial, const std::string& file) {
   const hsize_t start[4] = {Size(frame), 0, 0, 0};
   const hsize_t count[4] = {1, Size(trial.height), Size(trial.width), 3};
@@ -342,25 +354,26 @@ Trial TrialFile::Read(std::size_t i) const {
 }
 
 void TrialFile::ReadFrames(std::size_t i, const std::vector<int>& frames, std::uint8_t* out) const {
-  hdf5::Handle set = impl_->OpenImages(impl_->seeds.at(i));
+  const std::uint64_t seed = impl_->seeds.at(i);
+  const std::string trial = impl_->path + ": trial of seed " + std::to_string(seed);
+  hdf5::Handle demo = hdf5::OpenGroup(impl_->data, DemoName(seed), impl_->path);
+  const Kind kind = KindOf(demo, impl_->path);
+  hdf5::Handle set = impl_->OpenImages(seed);
   hdf5::Handle space(H5Dget_space(set), H5Sclose, impl_->path, "image space");
-  hsize_t dims[4] = {0, 0, 0, 0};
-  if (H5Sget_simple_extent_ndims(space) != 4) {
-    throw DataError(impl_->path + ": images have the wrong rank; damaged");
-  }
-  H5Sget_simple_extent_dims(space, dims, nullptr);
+  const hsize_t recorded = RequireImageShape(space, kind, trial);
   Trial shape;
-  shape.height = static_cast<int>(dims[1]);
-  shape.width = static_cast<int>(dims[2]);
+  shape.height = static_cast<int>(kind.height);
+  shape.width = static_cast<int>(kind.width);
   const hsize_t size = shape.frame_bytes();
   hdf5::Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose, impl_->path, "memory space");
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames[k] < 0 || Size(frames[k]) >= dims[0]) {
-      throw DataError(impl_->path + ": frame " + std::to_string(frames[k]) + " is out of range");
+    const std::string frame = "frame " + std::to_string(frames[k]);
+    if (frames[k] < 0 || Size(frames[k]) >= recorded) {
+      throw DataError(trial + ": " + frame + " is out of range");
     }
     SelectFrame(space, frames[k], shape, impl_->path);
-    hdf5::Check(H5Dread(set, H5T_NATIVE_UINT8, memory, space, H5P_DEFAULT, out + k * size),
-                impl_->path, "cannot read a frame; damaged");
+    hdf5::Check(H5Dread(set, H5T_NATIVE_UINT8, memory, space, H5P_DEFAULT, out + k * size), trial,
+                frame + " cannot be read; damaged: leave this trial out");
   }
 }
 

@@ -1,5 +1,7 @@
 #include "model/trial.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "model/dataset.h"
@@ -29,6 +31,19 @@ void RequireSizes(const Trial& t, bool with_images) {
           t, "landmarks must hold frames x num_landmarks x 2 numbers");
   Require(!with_images || t.images.size() == n * t.frame_bytes(), t,
           "images must hold frames x height x width x 3 bytes");
+}
+
+void RequireNumbers(const Trial& t) {
+  Require(std::isfinite(t.tick_seconds) && t.tick_seconds > 0, t, "tick_seconds must be positive");
+  Require(t.image_noise >= 0 && t.image_noise <= 1, t, "image_noise must be 0 to 1");
+  Require(std::isfinite(t.light), t, "light is not a number");
+  Require(std::all_of(t.rewards.begin(), t.rewards.end(), [](float r) { return std::isfinite(r); }),
+          t, "a reward is not a number");
+  for (std::size_t i = 0; i + 1 < t.landmarks.size(); i += 2) {
+    const float u = t.landmarks[i], v = t.landmarks[i + 1];
+    Require((std::isfinite(u) && std::isfinite(v)) || (std::isnan(u) && std::isnan(v)), t,
+            "a landmark's two coordinates must be numbers, or both NaN where there is none");
+  }
 }
 
 void RequireSuccessors(const Trial& t) {
@@ -87,6 +102,7 @@ void ValidateTrial(const Trial& trial, bool with_images) {
           "outcome must be success or failure");
   Require(!trial.task.empty(), trial, "task is empty");
   RequireSizes(trial, with_images);
+  RequireNumbers(trial);
   RequireSuccessors(trial);
   for (int i = 0; i < trial.frames(); ++i) RequireFrame(trial, i);
   Require(trial.segments() == trial.segment.back() + 1, trial,

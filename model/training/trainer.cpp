@@ -159,7 +159,8 @@ struct Trainer::Impl {
   /// Refuses weights that do not fit now rather than when their stage begins.
   static void RequireFittingWeights(const TrainConfig& config, const TrainOptions& options) {
     if (options.from.empty() || !options.stages.empty()) return;
-    for (const auto& [name, module] : Networks(config.network).named()) {
+    const Networks networks(config.network);
+    for (const auto& [name, module] : networks.named()) {
       LoadNetwork(options.from, name, module);
     }
   }
