@@ -5,6 +5,32 @@
 namespace prospect::model {
 namespace {
 
+void Append(const Judgements& from, Judgements* to) {
+  to->insert(to->end(), from.begin(), from.end());
+}
+
+void Append(const StateJudgements& from, StateJudgements* to) {
+  Append(from.value, &to->value);
+  Append(from.done, &to->done);
+  Append(from.p, &to->p);
+  Append(from.taken, &to->taken);
+  Append(from.q, &to->q);
+}
+
+void Append(const HeadJudgements& from, HeadJudgements* to) {
+  Append(from.real, &to->real);
+  Append(from.imagined, &to->imagined);
+  Append(from.after_one, &to->after_one);
+  Append(from.after_two, &to->after_two);
+  Append(from.plan, &to->plan);
+  if (to->done_at_depth.size() < from.done_at_depth.size()) {
+    to->done_at_depth.resize(from.done_at_depth.size());
+  }
+  for (std::size_t k = 0; k < from.done_at_depth.size(); ++k) {
+    Append(from.done_at_depth[k], &to->done_at_depth[k]);
+  }
+}
+
 /// One trial's judgements; a fresh object per trial, so that threads need no lock.
 class TrialJudge {
  public:
@@ -32,29 +58,33 @@ class TrialJudge {
     return torch::sigmoid(networks_.f->forward(h0_, h, Action(action))).item<float>();
   }
 
-  void JudgeNext(const torch::Tensor& h, int action, int k_next, Judgements* p, Judgements* q) {
+  void JudgeNext(const torch::Tensor& h, int action, int k_next, StateJudgements* to) {
     const torch::Tensor allowed =
         torch::sigmoid(networks_.p->forward(h0_, h, Action(action))).to(torch::kCPU).contiguous();
+    const float* p = allowed.data_ptr<float>();
     for (int a = 0; a < context_.samples.num_actions; ++a) {
-      p->push_back({allowed.data_ptr<float>()[a], MayFollow(context_.samples, trial_, action, a)});
+      to->p.push_back({p[a], MayFollow(context_.samples, trial_, action, a)});
     }
     if (k_next >= trial_.segments) return;
+    const int next = Segment(k_next).action;
+    to->taken.push_back({p[next], true});
     const torch::Tensor quality = torch::sigmoid(networks_.q->forward(h0_, h, Action(action)));
-    q->push_back({quality[0][Segment(k_next).action].item<float>(), trial_.succeeded});
+    to->q.push_back({quality[0][next].item<float>(), trial_.succeeded});
   }
 
   void JudgeReal() {
-    result_.value_real.push_back({Value(h0_), trial_.succeeded});
-    JudgeNext(h0_, context_.samples.num_actions, 0, &result_.p_real, &result_.q_real);
+    StateJudgements* real = &result_.real;
+    real->value.push_back({Value(h0_), trial_.succeeded});
+    JudgeNext(h0_, context_.samples.num_actions, 0, real);
     for (int k = 0; k < trial_.segments; ++k) {
       const SegmentSample& segment = Segment(k);
       const torch::Tensor goal = split_.Hidden(segment.goal);
-      result_.value_real.push_back({Value(goal), trial_.succeeded});
-      result_.done_real.push_back({Done(goal, segment.action), segment.succeeded});
+      real->value.push_back({Value(goal), trial_.succeeded});
+      real->done.push_back({Done(goal, segment.action), segment.succeeded});
       for (const int mid : segment.mids) {
-        result_.done_real.push_back({Done(split_.Hidden(mid), segment.action), false});
+        real->done.push_back({Done(split_.Hidden(mid), segment.action), false});
       }
-      JudgeNext(goal, segment.action, k + 1, &result_.p_real, &result_.q_real);
+      JudgeNext(goal, segment.action, k + 1, real);
     }
   }
 
@@ -65,15 +95,18 @@ class TrialJudge {
     for (int k = 0; k < trial_.segments; ++k) {
       const SegmentSample& segment = Segment(k);
       h = networks_.transform->forward(h0_, h, Action(segment.action));
-      const Judgement value{Value(h), trial_.succeeded};
-      const Judgement done{Done(h, segment.action), segment.succeeded};
-      result_.value_imagined.push_back(value);
-      if (k == 1) result_.value_after_two.push_back(value);
-      result_.done_imagined.push_back(done);
-      result_.done_at_depth[static_cast<std::size_t>(k)].push_back(done);
-      plan *= done.score;
-      if (k + 1 == trial_.segments) result_.plan.push_back({plan * value.score, trial_.succeeded});
-      JudgeNext(h, segment.action, k + 1, &result_.p_imagined, &result_.q_imagined);
+      StateJudgements one;
+      one.value.push_back({Value(h), trial_.succeeded});
+      one.done.push_back({Done(h, segment.action), segment.succeeded});
+      JudgeNext(h, segment.action, k + 1, &one);
+      Append(one, &result_.imagined);
+      if (k == 0) Append(one, &result_.after_one);
+      if (k == 1) Append(one, &result_.after_two);
+      result_.done_at_depth[static_cast<std::size_t>(k)] = one.done;
+      plan *= one.done[0].score;
+      if (k + 1 == trial_.segments) {
+        result_.plan.push_back({plan * one.value[0].score, trial_.succeeded});
+      }
     }
   }
 
@@ -84,29 +117,6 @@ class TrialJudge {
   torch::Tensor h0_;
   HeadJudgements result_;
 };
-
-void Append(const Judgements& from, Judgements* to) {
-  to->insert(to->end(), from.begin(), from.end());
-}
-
-void Append(const HeadJudgements& from, HeadJudgements* to) {
-  Append(from.value_real, &to->value_real);
-  Append(from.value_imagined, &to->value_imagined);
-  Append(from.value_after_two, &to->value_after_two);
-  Append(from.done_real, &to->done_real);
-  Append(from.done_imagined, &to->done_imagined);
-  Append(from.p_real, &to->p_real);
-  Append(from.p_imagined, &to->p_imagined);
-  Append(from.q_real, &to->q_real);
-  Append(from.q_imagined, &to->q_imagined);
-  Append(from.plan, &to->plan);
-  if (to->done_at_depth.size() < from.done_at_depth.size()) {
-    to->done_at_depth.resize(from.done_at_depth.size());
-  }
-  for (std::size_t k = 0; k < from.done_at_depth.size(); ++k) {
-    Append(from.done_at_depth[k], &to->done_at_depth[k]);
-  }
-}
 
 }  // namespace
 

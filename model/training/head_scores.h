@@ -7,14 +7,24 @@
 
 namespace prospect::model {
 
-/// What V, Q, p and f say about the states of one part of the data, beside what was true.
+/// What V, Q, p and f say about one kind of states, beside what was true.
+struct StateJudgements {
+  Judgements value;  ///< V against the trial's outcome
+  Judgements done;   ///< f against whether the action met its end condition
+  Judgements p;      ///< p of every action of the table against MayFollow (samples.h)
+  Judgements taken;  ///< p of the action that the trial took next; always true
+  Judgements q;      ///< Q of the action that the trial took next against the trial's outcome
+};
+
+/// The judgements of one part of the data.
 struct HeadJudgements {
-  Judgements value_real, value_imagined, value_after_two;
-  Judgements done_real, done_imagined;
-  std::vector<Judgements> done_at_depth;  ///< [k]: after k+1 transforms
-  Judgements p_real, p_imagined, q_real, q_imagined;
-  Judgements
-      plan;  ///< V at the end of the imagined trial times f along it, against the trial's outcome
+  StateJudgements real;       ///< encoded pictures: between actions, and for f also inside them
+  StateJudgements imagined;   ///< after any number of transforms
+  StateJudgements after_one;  ///< after one
+  StateJudgements after_two;
+  std::vector<Judgements> done_at_depth;  ///< f, [k]: after k+1 transforms
+  /// V at the end of the imagined trial times f along it, against the trial's outcome.
+  Judgements plan;
 };
 
 /// Imagined states are those of the whole trial imagined from its first action on. Uses `threads`

@@ -44,6 +44,32 @@ double BestThreshold(const Judgements& judgements) {
   return threshold;
 }
 
+double Recall(const Judgements& judgements, double threshold) {
+  std::size_t trues = 0, hits = 0;
+  for (const Judgement& j : judgements) {
+    trues += j.truth;
+    hits += j.truth && j.score > threshold;
+  }
+  return Share(hits, trues, 0);
+}
+
+double AreaUnderRoc(const Judgements& judgements) {
+  Judgements sorted = judgements;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Judgement& a, const Judgement& b) { return a.score < b.score; });
+  double trues = 0, falses = 0, wins = 0;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    double tied_trues = 0, tied_falses = 0;
+    for (; end < sorted.size() && sorted[end].score == sorted[begin].score; ++end) {
+      (sorted[end].truth ? tied_trues : tied_falses) += 1;
+    }
+    wins += tied_trues * (falses + 0.5 * tied_falses);
+    trues += tied_trues;
+    falses += tied_falses;
+  }
+  return trues == 0 || falses == 0 ? 0.5 : wins / (trues * falses);
+}
+
 double BaseRate(const Judgements& judgements) {
   std::size_t trues = 0;
   for (const Judgement& j : judgements) trues += j.truth;

@@ -20,6 +20,13 @@ double BalancedAccuracy(const Judgements& judgements, double threshold);
 /// judgements of both kinds. To be chosen on validation trials and used on test trials.
 double BestThreshold(const Judgements& judgements);
 
+/// Share of true ones scored above `threshold`; 0 if there are none.
+double Recall(const Judgements& judgements, double threshold);
+
+/// Area under the ROC curve: the chance that a true one is scored above a false one, equal scores
+/// counting half; 0.5 if there are no judgements of both kinds.
+double AreaUnderRoc(const Judgements& judgements);
+
 /// Share of true ones; 0 if there are none at all.
 double BaseRate(const Judgements& judgements);
 

@@ -18,28 +18,34 @@ json Summary(const Judgements& valid, const Judgements& test) {
   const double threshold = BestThreshold(valid);
   return {{"balanced_accuracy", BalancedAccuracy(test, threshold)},
           {"threshold", threshold},
+          {"balanced_accuracy_at_half", BalancedAccuracy(test, 0.5)},
           {"accuracy", Accuracy(test)},
+          {"area_under_roc", AreaUnderRoc(test)},
           {"base_rate", base},
           {"brier", BrierScore(test)},
           {"trivial_brier", base * (1 - base)},
           {"samples", test.size()}};
 }
 
+void AddStates(const std::string& kind, const StateJudgements& valid, const StateJudgements& test,
+               json* scores) {
+  (*scores)["value"][kind] = Summary(valid.value, test.value);
+  (*scores)["f"][kind] = Summary(valid.done, test.done);
+  (*scores)["p"][kind] = Summary(valid.p, test.p);
+  (*scores)["p"][kind]["recall_at_tenth"] = Recall(test.taken, 0.1);
+  (*scores)["q"][kind] = Summary(valid.q, test.q);
+}
+
 json HeadScores(const HeadJudgements& valid, const HeadJudgements& test) {
   json scores;
-  scores["value"] = {{"real", Summary(valid.value_real, test.value_real)},
-                     {"after_two", Summary(valid.value_after_two, test.value_after_two)},
-                     {"imagined", Summary(valid.value_imagined, test.value_imagined)}};
-  scores["f"] = {{"real", Summary(valid.done_real, test.done_real)},
-                 {"imagined", Summary(valid.done_imagined, test.done_imagined)}};
+  AddStates("real", valid.real, test.real, &scores);
+  AddStates("after_one", valid.after_one, test.after_one, &scores);
+  AddStates("after_two", valid.after_two, test.after_two, &scores);
+  AddStates("imagined", valid.imagined, test.imagined, &scores);
   for (std::size_t k = 0; k < test.done_at_depth.size() && k < valid.done_at_depth.size(); ++k) {
     scores["f"]["depth" + std::to_string(k + 1)] =
         Summary(valid.done_at_depth[k], test.done_at_depth[k]);
   }
-  scores["p"] = {{"real", Summary(valid.p_real, test.p_real)},
-                 {"imagined", Summary(valid.p_imagined, test.p_imagined)}};
-  scores["q"] = {{"real", Summary(valid.q_real, test.q_real)},
-                 {"imagined", Summary(valid.q_imagined, test.q_imagined)}};
   scores["plan"] = Summary(valid.plan, test.plan);
   return scores;
 }
@@ -70,20 +76,25 @@ void PrintLabels(const json& scores) {
 }
 
 void PrintHead(const std::string& name, const json& s) {
-  std::printf("  %-26s %10.3f %10.3f %14.4f %12.4f %10.3f\n", name.c_str(),
-              s["balanced_accuracy"].get<double>(), 0.5, s["brier"].get<double>(),
-              s["trivial_brier"].get<double>(), s["base_rate"].get<double>());
+  std::printf("  %-26s %10.3f %10.3f %10.3f %10.3f %10.4f %10.4f %10.3f\n", name.c_str(),
+              s["balanced_accuracy"].get<double>(), s["balanced_accuracy_at_half"].get<double>(),
+              s["accuracy"].get<double>(), s["area_under_roc"].get<double>(),
+              s["brier"].get<double>(), s["trivial_brier"].get<double>(),
+              s["base_rate"].get<double>());
 }
 
 void PrintHeads(const json& scores) {
-  std::printf("%-28s %10s %10s %14s %12s %10s\n", "V, f, p, Q", "bal. acc.", "trivial", "Brier",
-              "trivial", "base rate");
+  std::printf("%-28s %10s %10s %10s %10s %10s %10s %10s\n", "V, f, p, Q", "bal. acc.", "at 0.5",
+              "accuracy", "ROC area", "Brier", "trivial", "base rate");
   for (const char* head : {"value", "f", "p", "q"}) {
     for (const auto& item : scores[head].items()) {
       PrintHead(std::string(head) + " " + item.key(), item.value());
     }
   }
   PrintHead("plan (V x f along it)", scores["plan"]);
+  std::printf("  p of the action taken next above 0.1: real %.3f, after one transform %.3f\n",
+              scores["p"]["real"]["recall_at_tenth"].get<double>(),
+              scores["p"]["after_one"]["recall_at_tenth"].get<double>());
 }
 
 }  // namespace

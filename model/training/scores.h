@@ -27,11 +27,17 @@ namespace prospect::model {
 ///     real_second, real_first             by both on the real goal pictures,
 ///     majority                            and by always answering the most frequent action;
 ///     samples
-///   value.real, .after_two, .imagined     V; likewise f.real, f.imagined, f.depth1.., p.real,
-///   p.imagined, f.*, p.*, q.*, plan                   q.real, q.imagined, and plan: V at the end
-///   times f along the way
-///     balanced_accuracy, threshold, accuracy, base_rate, brier, trivial_brier, samples
-///     (the trivial balanced accuracy is 0.5)
+///   value, f, p, q                      what V, f, p, Q say, each of .real pictures, .after_one
+///   and
+///                                       .after_two transforms, and .imagined (after any number);
+///                                       f also .depth1, ...
+///   plan                                V at the end of an imagined trial times f along the way
+///     balanced_accuracy, threshold      at the threshold that is best on validation trials
+///     balanced_accuracy_at_half         at 0.5
+///     accuracy, area_under_roc, base_rate, brier, trivial_brier, samples
+///     recall_at_tenth                   p only: share of actions taken next with p above 0.1, the
+///                                       paper's measure
+///     (the trivial balanced accuracy and ROC area are 0.5)
 ///
 /// Uses `threads` threads. Throws DataError if validation or test part is empty.
 nlohmann::json ComputeScores(const TrainContext& context, const TrialFile& file, int threads);

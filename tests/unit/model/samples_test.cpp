@@ -148,6 +148,20 @@ TEST(Measures, BrierOfTheBaseRateIsItsVariance) {
   EXPECT_DOUBLE_EQ(Accuracy(some), 0.75);
 }
 
+TEST(Measures, AreaUnderTheRocCountsPairs) {
+  const Judgements some = {{0.9F, true}, {0.5F, false}, {0.4F, true}, {0.4F, false}, {0.1F, false}};
+  // Pairs won: 0.9 all three; 0.4 loses to 0.5, ties with 0.4, beats 0.1.
+  EXPECT_DOUBLE_EQ(AreaUnderRoc(some), (3 + 0 + 0.5 + 1) / 6);
+  EXPECT_DOUBLE_EQ(AreaUnderRoc({{0.3F, true}, {0.3F, false}}), 0.5);
+  EXPECT_DOUBLE_EQ(AreaUnderRoc({{0.3F, true}}), 0.5);
+}
+
+TEST(Measures, RecallIsOfTheTrueOnes) {
+  const Judgements some = {{0.2F, true}, {0.09F, true}, {0.05F, true}, {0.9F, false}};
+  EXPECT_DOUBLE_EQ(Recall(some, 0.1), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(Recall({}, 0.1), 0);
+}
+
 TEST(MappedFile, FillsOnceAndMapsAgain) {
   const TestFolder folder;
   int fills = 0;

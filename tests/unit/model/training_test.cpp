@@ -81,6 +81,15 @@ TEST_F(TrainingTest, AWholeRunGivesWeightsThatLoadAndIsSkippedTheSecondTime) {
   EXPECT_TRUE(scores["pictures"]["x2"].contains("copy_mae_changed"));
   EXPECT_GT(scores["pictures"]["x1"]["noise_floor"].get<double>(), 0.001);
   EXPECT_EQ(scores["f"]["imagined"]["samples"], scores["value"]["imagined"]["samples"]);
+  // Two actions a trial, so imagined states are those after one transform and those after two.
+  const auto samples = [&](const char* head, const char* kind) {
+    return scores[head][kind]["samples"].get<int>();
+  };
+  EXPECT_EQ(samples("value", "after_one") + samples("value", "after_two"),
+            samples("value", "imagined"));
+  EXPECT_EQ(samples("p", "after_one"), 3 * samples("value", "after_one"));
+  EXPECT_EQ(samples("q", "after_one"), samples("value", "after_one"));
+  EXPECT_EQ(samples("q", "after_two"), 0) << "nothing was done after the second";
 
   const std::string first = Bytes(path);
   const std::string curves = Bytes(folder_ / "run/curves.csv");
