@@ -80,21 +80,13 @@ struct LoadedModel {
   nlohmann::json metadata;
 };
 
-// Networks in inference mode, from a weights file and the classifiers' file beside it.
 LoadedModel Load(const std::string& path, const std::string& task) {
-  const model::WeightsFile planning = model::ReadWeights(path);
-  const std::string beside = model::ClassifiersPath(path);
-  const model::WeightsFile classifiers = model::ReadWeights(beside);
-  if (planning.metadata.value("task", "") != task) {
+  const nlohmann::json metadata = model::ReadWeights(path).metadata;
+  if (metadata.value("task", "") != task) {
     throw model::WeightsError(path + ": is not of task '" + task + "'");
   }
-  LoadedModel loaded{model::Networks(planning.metadata.at("network").get<model::NetworkConfig>()),
-                     planning.metadata};
-  for (const auto& [name, module] : loaded.networks.named()) {
-    const bool here = model::HasModule(planning, name);
-    model::LoadModule(here ? planning : classifiers, here ? path : beside, name, module);
-  }
-  loaded.networks.SetTraining(false);
+  LoadedModel loaded{model::Networks(metadata.at("network").get<model::NetworkConfig>()), metadata};
+  model::LoadNetworks(path, &loaded.networks);
   return loaded;
 }
 
@@ -128,7 +120,7 @@ class Tables {
  private:
   // Everything that a row depends on.
   std::string KeyOf(const std::string& what, const std::string& weights) const {
-    const nlohmann::json key = {"row-1",
+    const nlohmann::json key = {"row-2",
                                 what,
                                 model::WeightsFileHash(weights),
                                 data_hash_,

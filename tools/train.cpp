@@ -30,6 +30,7 @@ struct Arguments {
   std::int64_t seed = -1;
   std::vector<std::string> stages;
   bool finetune = false;
+  std::string bundle;
   bool print_config = false;
 };
 
@@ -69,6 +70,8 @@ void AddOptions(CLI::App* app, Arguments* a) {
                   "the data's held-out trials")
       ->check(CLI::ExistingFile);
   app->add_option("--json", a->json_file, "write the scores here, too");
+  app->add_option("--bundle", a->bundle,
+                  "copy the weights into this folder, too, without C, which only training needs");
   app->add_flag("--print-config", a->print_config, "print the configuration and stop");
 }
 
@@ -105,6 +108,7 @@ void Finish(const Arguments& a, const model::Trainer& trainer) {
   const nlohmann::json scores = ScoresOf(a, trainer);
   const std::string weights = model::ExportWeights(trainer, scores);
   Tell(a, scores);
+  if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
   std::printf("weights: %s\n", weights.c_str());
 }
 

@@ -24,6 +24,7 @@ struct Networks {
   ValueHead value;
   ActionHead q, p, f;
   Classifier classifier;         ///< C: in the loss and in the label accuracy
+  bool has_classifier = true;    ///< false: from weights without C, which only training needs
   Classifier second_classifier;  ///< of another seed, in no loss: reads the label accuracy
 
   /// Every network with the prefix its tensors have in a weights file, e.g. {"encoder", ...}.

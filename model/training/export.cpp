@@ -52,6 +52,34 @@ std::string ClassifiersPath(const std::string& weights) {
       .string();
 }
 
+void LoadNetworks(const std::string& weights, Networks* networks) {
+  const WeightsFile planning = ReadWeights(weights);
+  const std::string beside = ClassifiersPath(weights);
+  const WeightsFile classifiers = ReadWeights(beside);
+  networks->has_classifier = HasModule(classifiers, "classifier");
+  for (const auto& [name, module] : networks->named()) {
+    if (name == "classifier" && !networks->has_classifier) continue;
+    const bool here = HasModule(planning, name);
+    module->to(torch::kCPU);
+    LoadModule(here ? planning : classifiers, here ? weights : beside, name, module);
+  }
+  networks->SetTraining(false);
+}
+
+void BundleWeights(const std::string& weights, const std::string& folder) {
+  const std::filesystem::path to =
+      std::filesystem::path(folder) / std::filesystem::path(weights).filename();
+  std::filesystem::create_directories(folder);
+  WeightsFile classifiers = ReadWeights(ClassifiersPath(weights));
+  const auto is_c = [](const std::string& name) { return name.rfind("classifier.", 0) == 0; };
+  for (auto it = classifiers.tensors.begin(); it != classifiers.tensors.end();) {
+    it = is_c(it->first) ? classifiers.tensors.erase(it) : std::next(it);
+  }
+  const WeightsFile planning = ReadWeights(weights);
+  WriteWeights(ClassifiersPath(to.string()), classifiers.tensors, classifiers.metadata);
+  WriteWeights(to.string(), planning.tensors, planning.metadata);
+}
+
 std::string ExportWeights(const Trainer& trainer, const json& scores) {
   const TrainContext& context = trainer.context();
   std::map<std::string, torch::Tensor> planning, classifiers;

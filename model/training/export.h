@@ -17,4 +17,13 @@ std::string ExportWeights(const Trainer& trainer, const nlohmann::json& scores);
 /// DIR/TASK-classifiers.safetensors for DIR/TASK.safetensors.
 std::string ClassifiersPath(const std::string& weights);
 
+/// Takes all networks from a weights file and the classifiers' file beside it, into inference mode
+/// on the CPU. Where that file has no C (BundleWeights), `has_classifier` becomes false. Throws
+/// WeightsError.
+void LoadNetworks(const std::string& weights, Networks* networks);
+
+/// Copies a weights file and the classifiers' file beside it into `folder`, without C, which only
+/// training needs. Throws WeightsError.
+void BundleWeights(const std::string& weights, const std::string& folder);
+
 }  // namespace prospect::model

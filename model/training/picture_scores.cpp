@@ -74,15 +74,17 @@ struct StepSums {
     reconstructed.Write("reconstruction_", all, changed, &out);
     return out;
   }
-  json Labels() const {
+  json Labels(bool with_c) const {
     const double n = std::max(1, labelled);
     const int most = of_action.empty() ? 0 : *std::max_element(of_action.begin(), of_action.end());
-    return {{"samples", labelled},
-            {"first", first / n},
-            {"second", second / n},
-            {"real_first", real_first / n},
-            {"real_second", real_second / n},
-            {"majority", most / n}};
+    json out = {{"samples", labelled},
+                {"second", second / n},
+                {"real_second", real_second / n},
+                {"majority", most / n}};
+    if (!with_c) return out;
+    out["first"] = first / n;
+    out["real_first"] = real_first / n;
+    return out;
   }
 };
 
@@ -157,10 +159,11 @@ class ChainScorer {
     sums->of_action.resize(static_cast<std::size_t>(context_.samples.num_actions));
     ++sums->of_action[static_cast<std::size_t>(action)];
     ++sums->labelled;
-    sums->first += says(networks_.classifier, x);
     sums->second += says(networks_.second_classifier, x);
-    sums->real_first += says(networks_.classifier, goal);
     sums->real_second += says(networks_.second_classifier, goal);
+    if (!networks_.has_classifier) return;
+    sums->first += says(networks_.classifier, x);
+    sums->real_first += says(networks_.classifier, goal);
   }
 
   const ScoredSplit& split_;
@@ -203,9 +206,10 @@ json ScorePictures(const ScoredSplit& split, const TrialFile& file, std::size_t 
   for (const ChainSums& one : sums) {
     for (std::size_t k = 0; k < 2; ++k) total[k].Add(one[k]);
   }
+  const bool with_c = split.context().networks.has_classifier;
   return {{"chains", segments.size()},
           {"pictures", {{"x1", total[0].Pictures()}, {"x2", total[1].Pictures()}}},
-          {"labels", {{"x1", total[0].Labels()}, {"x2", total[1].Labels()}}}};
+          {"labels", {{"x1", total[0].Labels(with_c)}, {"x2", total[1].Labels(with_c)}}}};
 }
 
 }  // namespace prospect::model

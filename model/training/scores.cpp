@@ -69,9 +69,14 @@ void PrintLabels(const json& scores) {
               "2nd on real", "C on real", "majority");
   for (const char* step : {"x1", "x2"}) {
     const json& s = scores["labels"][step];
-    std::printf("  %-26s %10.3f %10.3f %14.3f %12.3f %10.3f\n", step, s["second"].get<double>(),
-                s["first"].get<double>(), s["real_second"].get<double>(),
-                s["real_first"].get<double>(), s["majority"].get<double>());
+    const auto share = [&s](const char* key) {
+      char text[16] = "-";
+      if (s.contains(key)) std::snprintf(text, sizeof text, "%.3f", s[key].get<double>());
+      return std::string(text);
+    };
+    std::printf("  %-26s %10s %10s %14s %12s %10s\n", step, share("second").c_str(),
+                share("first").c_str(), share("real_second").c_str(), share("real_first").c_str(),
+                share("majority").c_str());
   }
 }
 

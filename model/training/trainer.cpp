@@ -357,16 +357,8 @@ void Trainer::Run() {
 }
 
 void Trainer::Load(const std::string& weights) {
-  const WeightsFile planning = ReadWeights(weights);
-  const std::string beside = ClassifiersPath(weights);
-  const WeightsFile classifiers = ReadWeights(beside);
-  for (const auto& [name, module] : impl_->context.networks.named()) {
-    const bool here = HasModule(planning, name);
-    module->to(torch::kCPU);
-    LoadModule(here ? planning : classifiers, here ? weights : beside, name, module);
-    module->to(impl_->context.device);
-  }
-  impl_->context.networks.SetTraining(false);
+  LoadNetworks(weights, &impl_->context.networks);
+  impl_->context.networks.To(impl_->context.device);
 }
 
 const TrainContext& Trainer::context() const { return impl_->context; }

@@ -21,16 +21,21 @@ enum Column : std::size_t {
 /// Sums over the examples of one trial, and how many there were.
 struct TrialSums {
   double examples = 0;
-  double extras = 0;  ///< of these, the examples that the columns from kX1Composed on were taken of
+  double extras = 0;  ///< of these, the examples that the composed columns were taken of
+  double by_c = 0;    ///< and those that C labelled
   std::array<double, kColumns> sum{};
 
   void Add(const TrialSums& o) {
     examples += o.examples;
     extras += o.extras;
+    by_c += o.by_c;
     for (std::size_t c = 0; c < kColumns; ++c) sum[c] += o.sum[c];
   }
   /// Number of examples behind a column.
-  double Count(std::size_t column) const { return column >= kX1Composed ? extras : examples; }
+  double Count(std::size_t column) const {
+    if (column == kX2LabelOfC) return by_c;
+    return column >= kX1Composed ? extras : examples;
+  }
 };
 
 }  // namespace prospect::tools

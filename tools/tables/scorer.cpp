@@ -153,6 +153,8 @@ class TrialScorer {
     ++sums->extras;
     sums->sum[kX1Composed] += error(decoded1, chunk.goals1[i]);
     sums->sum[kX2Composed] += error(decoded2, chunk.goals2[i]);
+    if (!networks_.has_classifier) return;
+    ++sums->by_c;
     const Tensor action = chunk.action2.narrow(0, static_cast<int64_t>(i), 1);
     sums->sum[kX2LabelOfC] += Hits(networks_.classifier, (decoded2 * gain_).clamp(0, 1), action);
   }

@@ -109,6 +109,29 @@ TEST_F(TrainingTest, AWholeRunGivesWeightsThatLoadAndIsSkippedTheSecondTime) {
   EXPECT_NE(after.find("encoder-decoder,5,"), std::string::npos);
 }
 
+TEST_F(TrainingTest, ABundleIsAllButCAndIsScoredWithoutIt) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder.iterations = 2;
+  Trainer trainer(config, Options("run"));
+  trainer.Run();
+  RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores = ComputeScores(trainer.context(), trainer.file(), 2);
+  const std::string weights = ExportWeights(trainer, scores);
+  BundleWeights(weights, folder_ / "bundle");
+  EXPECT_EQ(Bytes(folder_ / "bundle/made.safetensors"), Bytes(weights));
+  Trainer bundled(config, Options("run"));
+  bundled.Load(folder_ / "bundle/made.safetensors");
+  EXPECT_FALSE(bundled.context().networks.has_classifier);
+  nlohmann::json again = ComputeScores(bundled.context(), bundled.file(), 2);
+  EXPECT_FALSE(again["labels"]["x1"].contains("first"));
+  nlohmann::json expected = scores;
+  for (const char* step : {"x1", "x2"}) {
+    expected["labels"][step].erase("first");
+    expected["labels"][step].erase("real_first");
+  }
+  EXPECT_EQ(again, expected);
+}
+
 TEST_F(TrainingTest, AnotherTaskOrShapeIsRefused) {
   TrainOptions options = Options("run");
   options.task = "navigation";
