@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "model/networks/precision.h"
+
 namespace prospect::model {
 namespace {
 
@@ -78,18 +80,20 @@ torch::Tensor VectorNormImpl::forward(const torch::Tensor& x) {
 }
 
 ConvBlockImpl::ConvBlockImpl(int in, int out, int kernel, int stride, const BlockOptions& options)
-    : options_(options), uneven_(kernel % 2 == 0 && stride == 1) {
-  const int padding = uneven_ ? 0 : (kernel - 1) / 2;
-  conv_ = register_module("conv", MakeConv(in, out, kernel, stride, padding));
+    : options_(options),
+      uneven_(kernel % 2 == 0 && stride == 1),
+      padding_(uneven_ ? 0 : (kernel - 1) / 2) {
+  conv_ = register_module("conv", MakeConv(in, out, kernel, stride, padding_));
   if (options_.norm) norm_ = register_module("norm", InstanceNorm(out));
 }
 
 torch::Tensor ConvBlockImpl::forward(const torch::Tensor& x) {
-  if (!uneven_) return Finish(conv_->forward(x), norm_, options_, is_training());
+  if (!uneven_)
+    return Finish(Convolve(conv_, x, padding_, options_.norm), norm_, options_, is_training());
   const int64_t before = (conv_->options.kernel_size()->at(0) - 1) / 2;
   const int64_t after = conv_->options.kernel_size()->at(0) - 1 - before;
   const torch::Tensor padded = torch::constant_pad_nd(x, {before, after, before, after});
-  return Finish(conv_->forward(padded), norm_, options_, is_training());
+  return Finish(Convolve(conv_, padded, padding_, options_.norm), norm_, options_, is_training());
 }
 
 UpBlockImpl::UpBlockImpl(int in, int out, const BlockOptions& options) : options_(options) {
@@ -98,7 +102,8 @@ UpBlockImpl::UpBlockImpl(int in, int out, const BlockOptions& options) : options
 }
 
 torch::Tensor UpBlockImpl::forward(const torch::Tensor& x) {
-  return Finish(torch::pixel_shuffle(conv_->forward(x), 2), norm_, options_, is_training());
+  return Finish(torch::pixel_shuffle(Convolve(conv_, x, 1, options_.norm), 2), norm_, options_,
+                is_training());
 }
 
 torch::Tensor SpatialSoftArgmax(const torch::Tensor& x) {

@@ -57,6 +57,7 @@ class ConvBlockImpl : public torch::nn::Module {
  private:
   BlockOptions options_;
   bool uneven_ = false;  ///< even kernel at stride 1: pad by hand
+  int padding_ = 0;      ///< of the convolution itself
   torch::nn::Conv2d conv_{nullptr};
   InstanceNorm norm_{nullptr};
 };

@@ -13,6 +13,7 @@
 
 #include "model/hash.h"
 #include "model/networks/blocks.h"
+#include "model/networks/precision.h"
 #include "model/training/parallel.h"
 #include "model/training/progress.h"
 #include "model/training/random.h"
@@ -257,6 +258,7 @@ class Stepper {
                          static_cast<std::uint64_t>(iteration * 64 + shard));
     const std::uint64_t seed = random.Next();
     SeedDropout(seed);
+    const MixedPrecision precision(run_.mixed_precision);
     if (!run_.device.is_cpu()) torch::manual_seed(seed);
     ShardResult result;
     result.loss = stage_->Loss(iteration, shard, shards_);

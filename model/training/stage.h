@@ -43,6 +43,7 @@ struct StageRun {
   std::uint64_t seed = 1;
   int shards = 2;
   int threads = 2;
+  bool mixed_precision = false;  ///< model/networks/precision.h
   double checkpoint_seconds = 60;
   torch::Device device = torch::kCPU;
   /// For tests: stop (as if killed) after this many iterations; -1 = never.

@@ -46,15 +46,20 @@ TrainConfig Navigation() {
 // Navigation().
 TrainConfig Stacking() {
   TrainConfig c;
+  // Small batches: for as many samples T's error on validation trials was 0.041 with batches of 8,
+  // 0.051 with batches of 32; a rate of 2e-3 instead of 1e-3 gave 0.036 instead of 0.038.
   c.network.num_actions = 36;
+  // Some hundred thousand pictures, each seen a few times: dropout only slows learning (T's error
+  // after 32,000 samples on validation trials: 0.038 without, 0.041 with the paper's 0.1).
+  c.network.dropout = 0.0;
   c.network.head_dropout = 0.2;
   c.mids_per_segment = 2;
   c.focus = 5.0;
   c.landmark_weight = 2.0;
   c.classifier = {20000, 8, 1e-3};
-  c.encoder_decoder = {20000, 8, 1.5e-3};
-  c.transform_hidden = {6000, 32, 1e-3};
-  c.transform_image = {600, 16, 3e-4};
+  c.encoder_decoder = {20000, 8, 2e-3};
+  c.transform_hidden = {40000, 8, 2e-3};
+  c.transform_image = {4000, 8, 5e-4};
   c.heads = {4000, 8, 1e-3};
   c.repeat_last = false;
   c.done_weight = 0.2;
@@ -83,6 +88,8 @@ void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
 void Validate(const TrainConfig& c) {
   Validate(c.network);
   Require(c.shards >= 1 && c.shards <= 64, "shards: must be 1 to 64");
+  Require(c.precision == "float32" || c.precision == "mixed",
+          "precision: must be float32 or mixed");
   Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100,
           "mids_per_segment: must be 0 to 100");
   Require(c.augment == "none" || c.augment == "dihedral", "augment: must be none or dihedral");
@@ -127,6 +134,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"seed", c.seed},
           {"shards", c.shards},
           {"checkpoint_seconds", c.checkpoint_seconds},
+          {"precision", c.precision},
           {"mids_per_segment", c.mids_per_segment},
           {"augment", c.augment},
           {"hidden_variants", c.hidden_variants},
@@ -157,6 +165,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("seed", &c.seed)
       .Read("shards", &c.shards)
       .Read("checkpoint_seconds", &c.checkpoint_seconds)
+      .Read("precision", &c.precision)
       .Read("mids_per_segment", &c.mids_per_segment)
       .Read("augment", &c.augment)
       .Read("hidden_variants", &c.hidden_variants)

@@ -29,6 +29,9 @@ struct TrainConfig {
   /// used.
   int shards = 2;
   double checkpoint_seconds = 60;
+  /// "float32" or "mixed" (model/networks/precision.h). How a stage is computed, not what: changing
+  /// it trains nothing anew, and a checkpoint goes on in the other one.
+  std::string precision = "float32";
 
   int mids_per_segment =
       2;  ///< frames inside each segment that are used besides its start and goal

@@ -197,6 +197,7 @@ struct Trainer::Impl {
     run.seed = config.seed;
     run.shards = config.shards;
     run.threads = options.threads;
+    run.mixed_precision = config.precision == "mixed";
     run.checkpoint_seconds = config.checkpoint_seconds;
     run.device = context.device;
     return run;

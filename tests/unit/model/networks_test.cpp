@@ -8,6 +8,8 @@
 #include <set>
 
 #include "model/engine.h"
+#include "model/networks/blocks.h"
+#include "model/networks/precision.h"
 #include "model/weights.h"
 #include "tests/unit/model/test_folder.h"
 
@@ -220,6 +222,39 @@ TEST_F(WeightsTest, DamagedHeadersNeverCrashTheReader) {
       ReadWeights(path_);  // damage inside a name or a text may pass
     } catch (const WeightsError&) {
     }
+  }
+}
+
+TEST(Precision, MixedIsNearAndEndsWithItsGuard) {
+  torch::manual_seed(1);
+  ConvBlock block(3, 8, 5, 1, BlockOptions{Activation::kNone, true, 0.0});
+  const torch::Tensor x = torch::rand({2, 3, 16, 16});
+  const torch::Tensor exact = block->forward(x);
+  torch::Tensor mixed;
+  {
+    const MixedPrecision on(true);
+    const MixedPrecision inner(false);  // does not switch off what is on
+    mixed = block->forward(x);
+  }
+  EXPECT_EQ(mixed.dtype(), torch::kFloat);
+  const float error = (mixed - exact).abs().max().item<float>();
+  EXPECT_GT(error, 0.0F) << "it rounds";
+  EXPECT_LT(error, 0.05F) << "of values with variance 1";
+  EXPECT_TRUE(block->forward(x).equal(exact));
+}
+
+TEST(Precision, WhatNoNormFollowsStaysExactAndGradientsAreFloats) {
+  torch::manual_seed(1);
+  ConvBlock last(3, 8, 1, 1, BlockOptions{Activation::kSigmoid, false, 0.0});
+  UpBlock up(3, 4, BlockOptions());
+  const torch::Tensor x = torch::rand({2, 3, 16, 16});
+  const torch::Tensor exact = last->forward(x);
+  const MixedPrecision on(true);
+  EXPECT_TRUE(last->forward(x).equal(exact));
+  up->forward(x).square().sum().backward();
+  for (const torch::Tensor& tensor : up->parameters()) {
+    ASSERT_TRUE(tensor.grad().defined());
+    EXPECT_EQ(tensor.grad().dtype(), torch::kFloat);
   }
 }
 
