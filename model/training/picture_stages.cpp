@@ -101,11 +101,21 @@ class EncoderDecoderStage : public Stage {
     const torch::Tensor error = (decoded * LightGain(x, decoded) - x).abs();
     const torch::Tensor loss = (error * weights).mean();
     LossParts result{loss, {{"loss", loss.item<double>()}, {"l1", error.mean().item<double>()}}};
+    if (context_.config.gain_weight > 0) AddGainLoss(x, decoded, &result);
     if (context_.landmarks) AddLandmarks(h, slots, turn, &result);
     return result;
   }
 
  private:
+  /// The light of a scene cannot be seen in h, so this drives the decoder to one scale for all.
+  void AddGainLoss(const torch::Tensor& x, const torch::Tensor& decoded, LossParts* result) const {
+    const torch::Tensor gain =
+        (x * decoded).sum({1, 2, 3}) / decoded.square().sum({1, 2, 3}).clamp_min(1e-6);
+    const torch::Tensor loss = gain.clamp_min(1e-3).log().square().mean();
+    result->loss = result->loss + context_.config.gain_weight * loss;
+    result->parts.emplace_back("gain", loss.item<double>());
+  }
+
   void AddLandmarks(const torch::Tensor& h, const std::vector<int>& slots, int turn,
                     LossParts* result) const {
     LandmarkReadout readout = context_.landmarks;

@@ -98,6 +98,7 @@ void Validate(const TrainConfig& c) {
   Require(c.hidden_variants >= 1 && c.hidden_variants <= (c.augment == "none" ? 1 : 8),
           "hidden_variants: must be 1, or up to 8 with augment = dihedral");
   Require(c.focus >= 0, "focus: must not be negative");
+  Require(c.gain_weight >= 0, "gain_weight: must not be negative");
   Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");
   Require(c.linked_steps >= 1 && c.linked_steps <= 5, "linked_steps: must be 1 to 5");
   Require(c.lambda >= 0, "lambda: must not be negative");
@@ -140,6 +141,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"hidden_variants", c.hidden_variants},
           {"focus", c.focus},
           {"landmark_weight", c.landmark_weight},
+          {"gain_weight", c.gain_weight},
           {"classifier", c.classifier},
           {"encoder_decoder", c.encoder_decoder},
           {"transform_hidden", c.transform_hidden},
@@ -171,6 +173,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("hidden_variants", &c.hidden_variants)
       .Read("focus", &c.focus)
       .Read("landmark_weight", &c.landmark_weight)
+      .Read("gain_weight", &c.gain_weight)
       .Read("classifier", &c.classifier)
       .Read("encoder_decoder", &c.encoder_decoder)
       .Read("transform_hidden", &c.transform_hidden)

@@ -52,6 +52,12 @@ struct TrainConfig {
   /// losses of C, of the encoder, and of T; 0, or a data set without landmarks, leaves it out.
   double landmark_weight = 0.0;
 
+  /// Beyond the paper: weight, in the encoder's loss, of the squared logarithm of the light gain
+  /// (model/networks/light.h). Pictures are compared in their own light, so nothing else keeps the
+  /// decoder from painting one state of a scene darker than the next; where it does, predictions,
+  /// which are shown in the light of the first picture, come out too dark or too bright. 0 = off.
+  double gain_weight = 0.0;
+
   StageConfig classifier;       ///< C, and the second classifier
   StageConfig encoder_decoder;  ///< f_enc and f_dec
   StageConfig

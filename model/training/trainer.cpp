@@ -219,8 +219,11 @@ struct Trainer::Impl {
     return KeyOf(inputs);
   }
   std::string EncoderKey() const {
-    return KeyOf({"encoder-3", BaseKey(), PictureNetwork(config.network), config.augment,
-                  config.focus, config.landmark_weight, config.encoder_decoder});
+    json inputs = {"encoder-3",           BaseKey(),    PictureNetwork(config.network),
+                   config.augment,        config.focus, config.landmark_weight,
+                   config.encoder_decoder};
+    if (config.gain_weight > 0) inputs.push_back(config.gain_weight);
+    return KeyOf(inputs);
   }
   std::string HiddenKey() const {
     return KeyOf({"hidden-2", EncoderKey(), config.hidden_variants});

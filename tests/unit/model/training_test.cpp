@@ -163,6 +163,14 @@ class EncoderRun {
     return RunStage(stage_.get(), run_).finished;
   }
   StageRun& run() { return run_; }
+  /// How far the light gains of the first pictures are from 1, as a mean.
+  double GainError() {
+    const torch::NoGradGuard no_grad;
+    const torch::Tensor x = pictures_.Get({0, 1, 2, 3, 4, 5, 6, 7});
+    Networks networks = context_.networks;
+    const torch::Tensor decoded = networks.decoder->forward(networks.encoder->forward(x));
+    return (LightGain(x, decoded) - 1).abs().mean().item<double>();
+  }
   torch::Tensor Weights() const {
     std::vector<torch::Tensor> all;
     for (const auto& [name, module] : stage_->modules()) {
@@ -184,6 +192,21 @@ class EncoderRun {
   StageRun run_;
   std::unique_ptr<Stage> stage_;
 };
+
+// Pictures compared in their own light leave the decoder's scale open; the gain's weight closes it.
+TEST_F(TrainingTest, TheGainsWeightFixesTheDecodersScale) {
+  TrainConfig config = TinyConfig();
+  config.encoder_decoder = {120, 2, 2e-3};
+  config.network.dropout = 0.0;
+  const auto gain_error = [&](double weight, const std::string& folder) {
+    config.gain_weight = weight;
+    EncoderRun run(config, folder_ / "all.h5", folder_ / folder);
+    run.Run(-1);
+    return run.GainError();
+  };
+  const double free = gain_error(0.0, "free"), fixed = gain_error(5.0, "fixed");
+  EXPECT_LT(fixed, 0.5 * free) << free;
+}
 
 TEST_F(TrainingTest, AKilledRunContinuesToTheSameWeights) {
   const TrainConfig config = TinyConfig();
