@@ -11,10 +11,12 @@ torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& dec
                              const torch::Tensor& decoded) {
   // Chosen on the validation split of navigation: lower ones paint noise of the decoder over what
   // was seen, higher ones leave out what changed.
-  constexpr double kSame = 0.20, kOther = 0.35;
-  const torch::Tensor difference = (decoded - decoded_start).abs().amax(1, true);
+  constexpr double kSame = 0.16, kOther = 0.28;
+  const torch::Tensor gain = LightGain(seen, decoded_start);
+  // In the light of what was seen: on what scale the decoder paints is its own affair.
+  const torch::Tensor difference = ((decoded - decoded_start) * gain).abs().amax(1, true);
   const torch::Tensor fresh = ((difference - kSame) / (kOther - kSame)).clamp(0.0, 1.0);
-  const torch::Tensor painted = decoded * LightGain(seen, decoded_start);
+  const torch::Tensor painted = decoded * gain;
   return (seen + fresh * (painted - seen)).clamp(0.0, 1.0);
 }
 

@@ -127,6 +127,8 @@ TEST(ComposePicture, ShowsWhatWasSeenWhereNothingChangesAndPaintsTheRestInItsLig
   const torch::Tensor picture = ComposePicture(seen, decoded_start, decoded);
   EXPECT_TRUE(torch::allclose(picture.narrow(3, 1, 3), seen.narrow(3, 1, 3)));
   EXPECT_TRUE(torch::allclose(picture.select(3, 0), torch::full({1, 3, 4}, 0.11F), 1e-4));
+  // Whatever scale the decoder paints on.
+  EXPECT_TRUE(torch::allclose(ComposePicture(seen, decoded_start * 0.3F, decoded * 0.3F), picture));
 }
 
 TEST(TurnOf, FewVariantsStillShowAllTurns) {
