@@ -32,6 +32,7 @@ struct Arguments {
   bool finetune = false;
   std::string bundle;
   std::string precision;
+  std::string labels;
   bool print_config = false;
 };
 
@@ -66,6 +67,9 @@ void AddOptions(CLI::App* app, Arguments* a) {
                   "float32, or mixed: convolutions in 16-bit bfloat, about twice as fast on CUDA "
                   "and on processors with AVX512-BF16")
       ->check(CLI::IsMember({"float32", "mixed"}));
+  app->add_option("--labels", a->labels,
+                  "what V, Q, p and f are taught: paper, or authors: as their code does it")
+      ->check(CLI::IsMember({"paper", "authors"}));
   app->add_option("--threads", a->options.threads, "CPU threads")->check(CLI::Range(1, 256));
   app->add_option(
       "--stage", a->stages,
@@ -93,6 +97,7 @@ model::TrainConfig ConfigOf(const Arguments& a) {
   if (!a.options.variant.empty()) model::ApplyVariant(a.options.variant, &config);
   if (a.finetune) config.finetune = true;
   if (!a.precision.empty()) config.precision = a.precision;
+  if (!a.labels.empty()) config.labels = a.labels;
   if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
   return config;
 }

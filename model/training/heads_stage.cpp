@@ -5,27 +5,6 @@
 namespace prospect::model {
 namespace {
 
-/// Labels of states, row by row, as the heads are trained on. A next action of -1 means no loss for
-/// Q; done of -1 no loss for f; `structure` false none for p and Q.
-struct StateLabels {
-  std::vector<int> action;       ///< that led here; num_actions = none
-  std::vector<float> value;      ///< V's label
-  std::vector<float> done;       ///< f's label or -1
-  std::vector<int> next;         ///< carried out next, or -1
-  std::vector<int> trial;        ///< for p's labels
-  std::vector<float> structure;  ///< 1: a state between actions, where p and Q are asked
-
-  void Add(int a, bool succeeded, float is_done, int a_next, int trial_index, bool between) {
-    action.push_back(a);
-    value.push_back(succeeded ? 1.0F : 0.0F);
-    done.push_back(is_done);
-    next.push_back(between ? a_next : -1);
-    trial.push_back(trial_index);
-    structure.push_back(between ? 1.0F : 0.0F);
-  }
-  std::size_t size() const { return action.size(); }
-};
-
 torch::Tensor Entropy(const torch::Tensor& logits, const torch::Tensor& labels) {
   return torch::binary_cross_entropy_with_logits(logits, labels, {}, {}, at::Reduction::None);
 }
@@ -69,15 +48,12 @@ class HeadsStage : public Stage {
   }
 
  private:
-  int NextAction(const TrialSample& trial, int segment) const {
-    return segment + 1 < trial.first_segment + trial.segments ? context_.segment(segment + 1).action
-                                                              : -1;
-  }
+  StateLabels NoLabels() const { return {context_.samples, context_.config.labels == "authors"}; }
 
   /// Every cached frame of the trials: the first, the goals, the ones inside.
   void AddReal(const std::vector<int>& trials, const std::vector<int>& variants, double weight,
                LossParts* result) const {
-    StateLabels labels;
+    StateLabels labels = NoLabels();
     std::vector<int> slots, firsts, turns;
     const auto add = [&](std::size_t i, int slot) {
       slots.push_back(slot);
@@ -87,16 +63,14 @@ class HeadsStage : public Stage {
     for (std::size_t i = 0; i < trials.size(); ++i) {
       const TrialSample& trial = context_.trial(trials[i]);
       add(i, trial.first);
-      labels.Add(context_.samples.num_actions, trial.succeeded, -1.0F,
-                 context_.segment(trial.first_segment).action, trials[i], true);
+      labels.AddFirst(trials[i]);
       for (int s = trial.first_segment; s < trial.first_segment + trial.segments; ++s) {
         const SegmentSample& segment = context_.segment(s);
         add(i, segment.goal);
-        labels.Add(segment.action, trial.succeeded, segment.succeeded ? 1.0F : 0.0F,
-                   NextAction(trial, s), trials[i], true);
+        labels.AddGoal(s);
         for (const int mid : segment.mids) {
           add(i, mid);
-          labels.Add(segment.action, trial.succeeded, 0.0F, -1, trials[i], false);
+          labels.AddInside(s);
         }
       }
     }
@@ -131,7 +105,7 @@ class HeadsStage : public Stage {
     const torch::Tensor h0 = batch.First();
     torch::Tensor h = batch.Start();
     std::vector<torch::Tensor> firsts, states;
-    StateLabels labels;
+    StateLabels labels = NoLabels();
     for (int k = 0; k < batch.steps(); ++k) {
       {
         const torch::NoGradGuard no_grad;
@@ -140,12 +114,8 @@ class HeadsStage : public Stage {
       std::vector<int> rows;
       for (std::size_t i = 0; i < chains.size(); ++i) {
         if (chains[i].weights[static_cast<std::size_t>(k)] == 0.0F) continue;
-        const int s = chains[i].segments[static_cast<std::size_t>(k)];
-        const SegmentSample& segment = context_.segment(s);
-        const TrialSample& trial = context_.trial(segment.trial);
         rows.push_back(static_cast<int>(i));
-        labels.Add(segment.action, trial.succeeded, segment.succeeded ? 1.0F : 0.0F,
-                   NextAction(trial, s), segment.trial, true);
+        labels.AddGoal(chains[i].segments[static_cast<std::size_t>(k)]);
       }
       const torch::Tensor index = ActionTensor(rows, context_.device);
       firsts.push_back(h0.index_select(0, index));
@@ -175,31 +145,19 @@ class HeadsStage : public Stage {
     result->parts.emplace_back("q_" + kind, q.item<double>());
   }
 
+  /// Labels of all actions [rows,actions].
+  torch::Tensor OfActions(const std::vector<float>& labels) const {
+    return FloatTensor(labels, context_.device).view({-1, context_.samples.num_actions});
+  }
+
   torch::Tensor Structure(const torch::Tensor& logits, const StateLabels& labels) const {
-    const int n = context_.samples.num_actions;
-    std::vector<float> allowed;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      const TrialSample& trial = context_.trial(labels.trial[i]);
-      for (int a = 0; a < n; ++a) {
-        allowed.push_back(MayFollow(context_.samples, trial, labels.action[i], a) ? 1.0F : 0.0F);
-      }
-    }
-    const torch::Tensor entropy =
-        Entropy(logits, FloatTensor(allowed, context_.device).view({-1, n})).mean(1);
-    return MaskedMean(entropy, FloatTensor(labels.structure, context_.device));
+    return MaskedMean(Entropy(logits, OfActions(labels.p)).mean(1),
+                      FloatTensor(labels.structure, context_.device));
   }
 
   torch::Tensor Quality(const torch::Tensor& logits, const StateLabels& labels) const {
-    std::vector<int> next;
-    std::vector<float> mask;
-    for (const int a : labels.next) {
-      next.push_back(std::max(0, a));
-      mask.push_back(a < 0 ? 0.0F : 1.0F);
-    }
-    const torch::Tensor chosen =
-        logits.gather(1, ActionTensor(next, context_.device).unsqueeze(1)).squeeze(1);
-    return MaskedMean(Entropy(chosen, FloatTensor(labels.value, context_.device)),
-                      FloatTensor(mask, context_.device));
+    const torch::Tensor q = OfActions(labels.q);
+    return MaskedMean(Entropy(logits, q.clamp_min(0)), q.ge(0).to(torch::kFloat));
   }
 
   const TrainContext& context_;
@@ -207,6 +165,44 @@ class HeadsStage : public Stage {
 };
 
 }  // namespace
+
+void StateLabels::AddFirst(int trial) {
+  const TrialSample& t = samples_.trials[static_cast<std::size_t>(trial)];
+  const SegmentSample& first = samples_.segments[static_cast<std::size_t>(t.first_segment)];
+  Add(trial, samples_.num_actions, first.action, true, -1.0F);
+}
+
+void StateLabels::AddGoal(int segment) {
+  const SegmentSample& s = samples_.segments[static_cast<std::size_t>(segment)];
+  const TrialSample& t = samples_.trials[static_cast<std::size_t>(s.trial)];
+  const bool last = segment + 1 == t.first_segment + t.segments;
+  const int next = last ? -1 : samples_.segments[static_cast<std::size_t>(segment) + 1].action;
+  if (authors_) {
+    Add(s.trial, s.action, last ? s.action : next, true, last ? 0.0F : 1.0F);
+  } else {
+    Add(s.trial, s.action, next, true, s.succeeded ? 1.0F : 0.0F);
+  }
+}
+
+void StateLabels::AddInside(int segment) {
+  const SegmentSample& s = samples_.segments[static_cast<std::size_t>(segment)];
+  Add(s.trial, s.action, authors_ ? s.action : -1, authors_, 0.0F);
+}
+
+/// `next`: the action that Q is taught about, -1 = none; `asked`: whether p is.
+void StateLabels::Add(int trial, int a, int next, bool asked, float is_done) {
+  const TrialSample& t = samples_.trials[static_cast<std::size_t>(trial)];
+  const float outcome = t.succeeded ? 1.0F : 0.0F;
+  action.push_back(a);
+  value.push_back(outcome);
+  done.push_back(is_done);
+  structure.push_back(asked ? 1.0F : 0.0F);
+  for (int b = 0; b < samples_.num_actions; ++b) {
+    const bool possible = authors_ ? b == next : MayFollow(samples_, t, a, b);
+    p.push_back(possible ? 1.0F : 0.0F);
+    q.push_back(b == next ? outcome : authors_ ? 0.0F : -1.0F);
+  }
+}
 
 std::unique_ptr<Stage> MakeHeadsStage(const TrainContext& context) {
   return std::make_unique<HeadsStage>(context);

@@ -111,6 +111,7 @@ void Validate(const TrainConfig& c) {
   Require(c.judge_clip > 0 && c.judge_rate > 0, "judge_clip, judge_rate: must be above 0");
   Require(c.start_share >= 0 && c.start_share <= 1, "start_share: must be 0 to 1");
   Require(c.imagined_share >= 0 && c.imagined_share <= 1, "imagined_share: must be 0 to 1");
+  Require(c.labels == "paper" || c.labels == "authors", "labels: must be paper or authors");
   ValidateStage(c.classifier, "classifier");
   ValidateStage(c.encoder_decoder, "encoder_decoder");
   ValidateStage(c.transform_hidden, "transform_hidden");
@@ -158,7 +159,8 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"judge_rate", c.judge_rate},
           {"start_share", c.start_share},
           {"done_weight", c.done_weight},
-          {"imagined_share", c.imagined_share}};
+          {"imagined_share", c.imagined_share},
+          {"labels", c.labels}};
 }
 
 void from_json(const nlohmann::json& json, TrainConfig& c) {
@@ -191,6 +193,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("start_share", &c.start_share)
       .Read("done_weight", &c.done_weight)
       .Read("imagined_share", &c.imagined_share)
+      .Read("labels", &c.labels)
       .RefuseOthers();
   Validate(c);
 }

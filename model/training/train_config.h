@@ -88,6 +88,9 @@ struct TrainConfig {
   /// Beyond the paper: share of the heads' loss on states imagined by T (chains of whole plans); 0
   /// = the paper's.
   double imagined_share = 0.5;
+  /// What V, Q, p and f are taught (StateLabels in model/training/heads_stage.h): "paper" or
+  /// "authors".
+  std::string labels = "paper";
 };
 
 /// The configuration a task trains with by default. Throws std::invalid_argument for an unknown

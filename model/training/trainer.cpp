@@ -96,9 +96,13 @@ void LoadNetwork(const std::string& weights, const std::string& prefix, torch::n
   const bool classifier = prefix == "classifier" || prefix == "second_classifier";
   if (!classifier || HasModule(planning, prefix)) {
     LoadModule(planning, weights, prefix, module);
-  } else {
-    LoadModule(ClassifiersPath(weights), prefix, module);
+    return;
   }
+  const std::string beside = ClassifiersPath(weights);
+  const WeightsFile classifiers = ReadWeights(beside);
+  // Bundled weights have no C: it begins afresh.
+  if (prefix == "classifier" && !HasModule(classifiers, prefix)) return;
+  LoadModule(classifiers, beside, prefix, module);
 }
 
 /// Hash of the classifiers' file beside a weights file; empty if there is none.
@@ -251,6 +255,7 @@ struct Trainer::Impl {
   std::string HeadsKey() const {
     json inputs = {"heads-1", TransformKey(), config.heads, config.imagined_share};
     if (!samples.successors.empty()) inputs.push_back(samples.successors);
+    if (config.labels != "paper") inputs.push_back(config.labels);
     return KeyOf(inputs);
   }
 
