@@ -10,7 +10,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
 #include "model/hash.h"
@@ -255,8 +254,21 @@ std::map<std::uint64_t, std::string> PartsBySeed(const std::vector<std::string>&
       }
     }
   }
-  if (by_seed.empty()) throw DataError("nothing to pack: no trials were given");
   return by_seed;
+}
+
+std::map<std::uint64_t, std::string> Chosen(const std::map<std::uint64_t, std::string>& by_seed,
+                                            const PackChoice& choice) {
+  std::map<std::uint64_t, std::string> chosen;
+  for (const auto& trial : by_seed) {
+    if (chosen.size() == choice.most) break;
+    if (!choice.split || SplitOf(trial.first) == *choice.split) chosen.insert(trial);
+  }
+  if (chosen.empty()) {
+    throw DataError(by_seed.empty() ? "nothing to pack: no trials were given"
+                                    : "nothing to pack: none of the trials is of the chosen part");
+  }
+  return chosen;
 }
 
 /// Copies trials of parts into one open file, part files opened once in a row.
@@ -412,13 +424,14 @@ void WriteTrialFile(const std::string& path, const Trial& trial) {
 
 namespace {
 
-// No less than a data set of these trials needs.
+// About what a data set of these trials needs, and no less if they are all of their files.
 std::uintmax_t PackedBytes(const std::map<std::uint64_t, std::string>& by_seed) {
   constexpr std::uintmax_t kOnce = 1 << 20, kEach = 256;  // masks, and names in the tree
-  std::set<std::string> parts;
+  std::map<std::string, std::size_t> trials;
+  for (const auto& [seed, part] : by_seed) ++trials[part];
   std::uintmax_t bytes = kOnce + kEach * by_seed.size();
-  for (const auto& [seed, part] : by_seed) {
-    if (parts.insert(part).second) bytes += fs::file_size(part);
+  for (const auto& [part, count] : trials) {
+    bytes += fs::file_size(part) * count / TrialFile(part).size();
   }
   return bytes;
 }
@@ -429,8 +442,9 @@ std::string TemporaryName(const std::string& path, int pid) {
   return path + ".tmp" + std::to_string(pid);
 }
 
-std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out) {
-  const std::map<std::uint64_t, std::string> by_seed = PartsBySeed(parts);
+std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
+                           const PackChoice& choice) {
+  const std::map<std::uint64_t, std::string> by_seed = Chosen(PartsBySeed(parts), choice);
   const AtomicFile target(out);
   {
     hdf5::Handle file = hdf5::CreateFile(target.temporary());

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,12 +47,19 @@ class DiskError : public std::runtime_error {
 /// cannot be written.
 void WriteTrialFile(const std::string& path, const Trial& trial);
 
-/// Joins files (each of one or more trials) into the data set `out`, in the order of their seeds,
-/// and writes the masks. Image chunks are copied without being unpacked. Atomic as WriteTrialFile.
-/// Returns the number of trials. Throws DataError on a damaged part, on a seed that comes twice, on
-/// seeds outside the collection range, or on trials of different tasks or image sizes, and
-/// DiskError where there is no room for `out`.
-std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out);
+/// Which trials are packed: all, those of one part of the split, the first ones by seed.
+struct PackChoice {
+  std::optional<Split> split;
+  std::size_t most = std::numeric_limits<std::size_t>::max();
+};
+
+/// Joins the chosen trials of files (each of one or more trials) into the data set `out`, in the
+/// order of their seeds, and writes the masks. Image chunks are copied without being unpacked.
+/// Atomic as WriteTrialFile. Returns the number of trials. Throws DataError on a damaged part, on a
+/// seed that comes twice, on seeds outside the collection range, on trials of different tasks or
+/// image sizes, or if no trial is left, and DiskError where there is no room for `out`.
+std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
+                           const PackChoice& choice = {});
 
 /// The name under which process `pid` writes the file `path` until it is whole. It stays behind
 /// when that process is killed.

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,16 @@ std::vector<std::string> Expand(const std::vector<std::string>& inputs) {
   return files;
 }
 
-int Pack(const std::vector<std::string>& inputs, const std::string& out) {
-  const std::size_t trials = model::PackTrialFiles(Expand(inputs), out);
+const std::map<std::string, model::Split> kSplits = {{"train", model::Split::kTrain},
+                                                     {"valid", model::Split::kValid},
+                                                     {"test", model::Split::kTest}};
+
+int Pack(const std::vector<std::string>& inputs, const std::string& out, const std::string& split,
+         std::size_t most) {
+  model::PackChoice choice;
+  if (!split.empty()) choice.split = kSplits.at(split);
+  if (most > 0) choice.most = most;
+  const std::size_t trials = model::PackTrialFiles(Expand(inputs), out, choice);
   std::printf("%zu trials in %s\n", trials, out.c_str());
   return 0;
 }
@@ -67,13 +76,14 @@ int WriteSheet(const std::string& path, const std::string& out, std::size_t rows
 struct Arguments {
   std::string file, out, json_file;
   std::vector<std::string> inputs;
-  std::size_t rows = 12;
+  std::string split;
+  std::size_t rows = 12, trials = 0;
   std::uint64_t seed = 0;
 };
 
 int Dispatch(const CLI::App& app, const Arguments& a) {
   if (app.got_subcommand("info")) return Info(a.file, a.json_file);
-  if (app.got_subcommand("pack")) return Pack(a.inputs, a.out);
+  if (app.got_subcommand("pack")) return Pack(a.inputs, a.out, a.split, a.trials);
   return WriteSheet(a.file, a.out, a.rows, a.seed);
 }
 
@@ -85,6 +95,10 @@ void AddCommands(CLI::App* app, Arguments* a) {
   CLI::App* pack = app->add_subcommand("pack", "joins trial files into one data set");
   pack->add_option("INPUTS", a->inputs, "trial files, data sets, or folders of them")->required();
   pack->add_option("--out", a->out, "the data set to write")->required();
+  pack->add_option("--split", a->split, "only trials of this part: train, valid or test")
+      ->check(CLI::IsMember(kSplits));
+  pack->add_option("--trials", a->trials, "only the first so many of them, by seed")
+      ->check(CLI::PositiveNumber);
   CLI::App* sheet = app->add_subcommand("sheet", "a picture of trials: a row each");
   sheet->add_option("FILE", a->file, "the data set")->required();
   sheet->add_option("--out", a->out, "the PNG to write")->required();

@@ -125,6 +125,35 @@ TEST_F(DatasetTest, APackedFileCanBePackedAgain) {
   EXPECT_EQ(TrialFile(Path("b.h5")).Read(1).images, MadeTrial(2).images);
 }
 
+TEST_F(DatasetTest, PackTakesTheFirstTrialsOfOnePart) {
+  std::vector<std::string> parts;
+  std::vector<std::uint64_t> held_out;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    parts.push_back(Write(seed));
+    if (SplitOf(seed) == Split::kTest) held_out.push_back(seed);
+  }
+  ASSERT_GT(held_out.size(), 2U);
+  PackTrialFiles(parts, Path("all.h5"));
+  PackChoice choice;
+  choice.split = Split::kTest;
+  EXPECT_EQ(PackTrialFiles({Path("all.h5")}, Path("test.h5"), choice), held_out.size());
+  EXPECT_EQ(TrialFile(Path("test.h5")).seeds(), held_out);
+  choice.most = 2;
+  EXPECT_EQ(PackTrialFiles({Path("all.h5")}, Path("two.h5"), choice), 2U);
+  held_out.resize(2);
+  EXPECT_EQ(TrialFile(Path("two.h5")).seeds(), held_out);
+  EXPECT_LT(fs::file_size(Path("two.h5")), fs::file_size(Path("all.h5")) / 4);
+}
+
+TEST_F(DatasetTest, PackRefusesToWriteNoTrials) {
+  std::uint64_t seed = 0;
+  while (SplitOf(seed) == Split::kTest) ++seed;
+  PackChoice choice;
+  choice.split = Split::kTest;
+  EXPECT_THROW(PackTrialFiles({Write(seed)}, Path("none.h5"), choice), DataError);
+  EXPECT_FALSE(fs::exists(Path("none.h5")));
+}
+
 TEST_F(DatasetTest, PackRefusesTheSameSeedTwice) {
   const std::string one = Write(4);
   fs::copy_file(one, Path("copy.h5"));
