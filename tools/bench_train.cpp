@@ -20,6 +20,9 @@ void AddOptions(CLI::App* app, TrainBenchOptions* options, std::string* json_fil
   app->add_option("--device", options->device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}))
       ->capture_default_str();
+  app->add_option("--precision", options->precision, "float32, or mixed: as train's")
+      ->check(CLI::IsMember({"float32", "mixed"}))
+      ->capture_default_str();
   app->add_option("--threads", options->threads, "CPU threads")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -43,11 +46,11 @@ void Print(const json& figures) {
                 number("busy_cores"), number("iterations"), number("minutes"));
   }
   std::printf(
-      "%s on %s, %d shards on %d threads; large matrix products: %.1f GFLOP/s. MMA: million "
+      "%s on %s, %s, %d shards on %d threads; large matrix products: %.1f GFLOP/s. MMA: million "
       "multiply-adds a sample.\n",
       figures["task"].get<std::string>().c_str(), figures["device"].get<std::string>().c_str(),
-      figures["shards"].get<int>(), figures["threads"].get<int>(),
-      figures["matrix_product_gflops"].get<double>());
+      figures["precision"].get<std::string>().c_str(), figures["shards"].get<int>(),
+      figures["threads"].get<int>(), figures["matrix_product_gflops"].get<double>());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "model/training/export.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
+#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
 #include "tools/tables/report.h"
 #include "tools/tables/row_cache.h"
@@ -19,8 +20,6 @@ namespace prospect::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kExitUsage = 2, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 struct Arguments {
   std::string task = "stacking";
@@ -212,25 +211,6 @@ class Tables {
   std::vector<Line> lines_;
 };
 
-int RunGuarded(const Arguments& arguments) {
-  try {
-    Tables(arguments).Run();
-    return 0;
-  } catch (const model::DataError& error) {
-    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
-    return kExitData;
-  } catch (const model::WeightsError& error) {
-    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
-    return kExitWeights;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
-    return kExitUsage;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-tables: %s\n", error.what());
-    return kExitDisk;
-  }
-}
-
 }  // namespace
 }  // namespace prospect::tools
 
@@ -244,5 +224,8 @@ int main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : prospect::tools::kExitUsage;
   }
-  return prospect::tools::RunGuarded(arguments);
+  return prospect::tools::Guarded("prospect-tables", [&] {
+    prospect::tools::Tables(arguments).Run();
+    return 0;
+  });
 }

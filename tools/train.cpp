@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,11 +14,10 @@
 #include "model/training/trainer.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
+#include "tools/common/guarded.h"
 
 namespace prospect {
 namespace {
-
-constexpr int kExitUsage = 2, kExitFailed = 4, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 struct Arguments {
   model::TrainOptions options;
@@ -153,32 +151,6 @@ int Run(Arguments a) {
   return 0;
 }
 
-std::string FirstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-int RunGuarded(const Arguments& a) {
-  try {
-    return Run(a);
-  } catch (const model::DataError& error) {
-    std::fprintf(stderr, "prospect-train: %s\n", error.what());
-    return kExitData;
-  } catch (const model::WeightsError& error) {
-    std::fprintf(stderr, "prospect-train: %s\n", error.what());
-    return kExitWeights;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-train: %s\n", error.what());
-    return kExitUsage;
-  } catch (const std::range_error& error) {
-    std::fprintf(stderr, "prospect-train: %s\n", error.what());
-    return kExitFailed;
-  } catch (const c10::Error& error) {  // as when the GPU's memory is full
-    std::fprintf(stderr, "prospect-train: %s\n", FirstLine(error.what_without_backtrace()).c_str());
-    return kExitFailed;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-train: %s\n", error.what());
-    return kExitDisk;
-  }
-}
-
 }  // namespace
 }  // namespace prospect
 
@@ -190,7 +162,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
-    return code == 0 ? 0 : prospect::kExitUsage;
+    return code == 0 ? 0 : prospect::tools::kExitUsage;
   }
-  return prospect::RunGuarded(arguments);
+  return prospect::tools::Guarded("prospect-train", [&] { return prospect::Run(arguments); });
 }

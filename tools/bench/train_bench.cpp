@@ -117,10 +117,13 @@ class Bench {
     measure(model::MakeHeadsStage(context_), {"trial", StatesOfTrial()}, defaults_.heads);
     peak = std::max(peak, Peak());  // again, where other programs may have been in the way
     for (json& row : rows) row["peak_share"] = row["gflops"].get<double>() / peak;
-    return {
-        {"task", options_.task},         {"device", options_.device},
-        {"threads", options_.threads},   {"shards", context_.device.is_cpu() ? config_.shards : 1},
-        {"matrix_product_gflops", peak}, {"rows", rows}};
+    return {{"task", options_.task},
+            {"device", options_.device},
+            {"precision", config_.precision},
+            {"threads", options_.threads},
+            {"shards", context_.device.is_cpu() ? config_.shards : 1},
+            {"matrix_product_gflops", peak},
+            {"rows", rows}};
   }
 
  private:
@@ -167,6 +170,7 @@ class Bench {
     run.threads = options_.threads;
     run.checkpoint_seconds = static_cast<double>(kNever);
     run.device = context_.device;
+    run.mixed_precision = config_.precision == "mixed";
     run.stop_after = count;
     return model::RunStage(stage, run).seconds;
   }
@@ -215,7 +219,9 @@ class Bench {
 
 json BenchTraining(const TrainBenchOptions& options) {
   // Refused before anything is made.
-  const model::TrainConfig defaults = model::TrainConfigFor(options.task);
+  model::TrainConfig defaults = model::TrainConfigFor(options.task);
+  defaults.precision = options.precision;
+  model::Validate(defaults);
   model::DeviceNamed(options.device);
   at::set_num_threads(1);  // shards are the parallelism, as in model::Trainer
   return Bench(options, defaults).Run();

@@ -9,19 +9,21 @@ namespace prospect::tools {
 struct TrainBenchOptions {
   std::string task;  // its default configuration
   std::string device = "cpu";
+  std::string precision = "float32";  // or "mixed"
   int threads = 2;
   double seconds = 5;  // about so long each stage is measured
 };
 
 // Takes real steps (forward, backward, optimizer) of every stage, by the code that trains, on
-// random trials in a temporary folder. Throws std::invalid_argument (task, device) or
+// random trials in a temporary folder. Throws std::invalid_argument (task, device, precision) or
 // std::runtime_error (no room for the folder).
 //
-// Keys: task, device, threads, shards, matrix_product_gflops (MatrixPeakGflops), rows: one a stage
-// with stage, batch, sample (what a sample of the batch is), samples_per_s, images_per_sample
-// (pictures or hidden states whose loss is computed), images_per_s, forward and backward
-// (multiply-adds a sample), gflops, peak_share, busy_cores (processor time a second), iterations
-// (of the default configuration), minutes (that they take here), steps, seconds (measured).
+// Keys: task, device, precision, threads, shards, matrix_product_gflops (MatrixPeakGflops), rows:
+// one a stage with stage, batch, sample (what a sample of the batch is), samples_per_s,
+// images_per_sample (pictures or hidden states whose loss is computed), images_per_s, forward and
+// backward (multiply-adds a sample), gflops, peak_share, busy_cores (processor time a second),
+// iterations (of the default configuration), minutes (that they take here), steps, seconds
+// (measured).
 nlohmann::json BenchTraining(const TrainBenchOptions& options);
 
 }  // namespace prospect::tools

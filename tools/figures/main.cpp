@@ -10,6 +10,7 @@
 
 #include "model/engine.h"
 #include "model/weights_error.h"
+#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
 #include "tools/figures/calibration.h"
 #include "tools/figures/futures.h"
@@ -24,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kExitUsage = 2, kExitFailed = 4, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 constexpr int kMostScenes = 40;  // looked at for one that shows something
 constexpr int kChains = 4;       // examples in variants.png
 constexpr int kMids = 1;         // frames inside an action, for f
@@ -231,11 +231,6 @@ int Main(const Options& options) {
   return 0;
 }
 
-int Report(const std::exception& error, int code) {
-  std::fprintf(stderr, "prospect-figures: %s\n", error.what());
-  return code;
-}
-
 }  // namespace
 }  // namespace prospect::figures
 
@@ -247,19 +242,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : figures::kExitUsage;
+    return app.exit(error) == 0 ? 0 : tools::kExitUsage;
   }
-  try {
-    return figures::Main(options);
-  } catch (const model::WeightsError& error) {
-    return figures::Report(error, figures::kExitWeights);
-  } catch (const model::DataError& error) {
-    return figures::Report(error, figures::kExitData);
-  } catch (const model::DiskError& error) {
-    return figures::Report(error, figures::kExitDisk);
-  } catch (const std::invalid_argument& error) {
-    return figures::Report(error, figures::kExitUsage);
-  } catch (const std::exception& error) {
-    return figures::Report(error, figures::kExitFailed);
-  }
+  return tools::Guarded(
+      "prospect-figures", [&] { return figures::Main(options); }, tools::kExitFailed);
 }

@@ -116,8 +116,12 @@ TEST(TrainBench, MeasuresEveryStage) {
                                            "transform-image", "heads"}));
 }
 
-TEST(TrainBench, AnUnknownTaskIsRefused) {
+TEST(TrainBench, AnUnknownTaskOrPrecisionIsRefused) {
   TrainBenchOptions options;
+  options.task = "navigation";
+  options.precision = "double";
+  EXPECT_THROW(BenchTraining(options), std::invalid_argument);
+  options.precision = "float32";
   options.task = "juggling";
   EXPECT_THROW(BenchTraining(options), std::invalid_argument);
 }
