@@ -127,7 +127,9 @@ int ScoreOnly(const Arguments& a) {
   if (!metadata.contains("train")) {
     throw model::WeightsError(a.scored_weights + ": does not say how it was trained");
   }
-  model::Trainer trainer(metadata["train"].get<model::TrainConfig>(), a.options);
+  model::TrainOptions options = a.options;
+  options.score_only = true;
+  model::Trainer trainer(metadata["train"].get<model::TrainConfig>(), options);
   trainer.Load(a.scored_weights);
   Tell(a, ScoresOf(a, trainer));
   return 0;
@@ -154,10 +156,25 @@ int Run(Arguments a) {
 }  // namespace
 }  // namespace prospect
 
+namespace {
+
+// As it was typed, but of paths only the last part: the rest says nothing elsewhere.
+std::string CommandOf(int argc, char** argv) {
+  std::string command = "./prospect train";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    command += " " + word.substr(word.find_last_of('/') + 1);
+  }
+  return command;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App app("Trains the networks of a task from a data set.");
   prospect::Arguments arguments;
   prospect::AddOptions(&app, &arguments);
+  arguments.options.command = CommandOf(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -30,6 +30,8 @@ json MetadataOf(const Trainer& trainer, const json& scores) {
           {"world_version", context.samples.world_version},
           {"num_actions", context.samples.num_actions},
           {"trials", context.samples.trials.size()},
+          {"trial_seeds", {trainer.file().seeds().front(), trainer.file().seeds().back()}},
+          {"command", trainer.options().command},
           {"network", context.config.network},
           {"train", context.config},
           {"variant", trainer.options().variant},

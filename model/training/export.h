@@ -9,9 +9,10 @@ namespace prospect::model {
 
 /// Writes what was trained: DIR/TASK.safetensors (all that planning needs) and
 /// DIR/TASK-classifiers.safetensors (C and the second classifier, which only scores need), both
-/// with configuration, data hash, code version, scores and calibration in their metadata. The
-/// calibration's refusal_threshold is the plan score that best separates successful from failed
-/// validation trials. Returns the path of the first. Throws WeightsError.
+/// with configuration, data hash, seeds of the first and last trial, command, code version, scores
+/// and calibration in their metadata. The calibration's refusal_threshold is the plan score that
+/// best separates successful from failed validation trials. Returns the path of the first. Throws
+/// WeightsError.
 std::string ExportWeights(const Trainer& trainer, const nlohmann::json& scores);
 
 /// DIR/TASK-classifiers.safetensors for DIR/TASK.safetensors.

@@ -42,9 +42,10 @@ json HeadScores(const HeadJudgements& valid, const HeadJudgements& test) {
   AddStates("after_one", valid.after_one, test.after_one, &scores);
   AddStates("after_two", valid.after_two, test.after_two, &scores);
   AddStates("imagined", valid.imagined, test.imagined, &scores);
-  for (std::size_t k = 0; k < test.done_at_depth.size() && k < valid.done_at_depth.size(); ++k) {
+  for (std::size_t k = 0; k < test.done_at_depth.size(); ++k) {
+    const bool chosen = k < valid.done_at_depth.size();
     scores["f"]["depth" + std::to_string(k + 1)] =
-        Summary(valid.done_at_depth[k], test.done_at_depth[k]);
+        Summary(chosen ? valid.done_at_depth[k] : Judgements{}, test.done_at_depth[k]);
   }
   scores["plan"] = Summary(valid.plan, test.plan);
   return scores;
@@ -106,9 +107,12 @@ void PrintHeads(const json& scores) {
 
 json ComputeScores(const TrainContext& context, const TrialFile& file, int threads) {
   context.networks.SetTraining(false);
-  const ScoredSplit valid(context, Split::kValid, kMostTrials, threads);
+  HeadJudgements valid;
+  if (!context.samples.TrialsOf(Split::kValid).empty()) {
+    valid = JudgeHeads(ScoredSplit(context, Split::kValid, kMostTrials, threads), threads);
+  }
   const ScoredSplit test(context, Split::kTest, kMostTrials, threads);
-  json scores = HeadScores(JudgeHeads(valid, threads), JudgeHeads(test, threads));
+  json scores = HeadScores(valid, JudgeHeads(test, threads));
   scores.update(ScorePictures(test, file, kMostChains, threads));
   scores["trials"] = test.trials().size();
   return scores;

@@ -7,8 +7,8 @@
 namespace prospect::model {
 
 /// Held-out scores of trained networks (in inference mode, weights already rounded as they are
-/// stored). Thresholds are chosen on validation trials, everything is reported on test trials.
-/// Keys:
+/// stored). Thresholds are chosen on validation trials (0.5 where there are none), everything is
+/// reported on test trials. Keys:
 ///
 ///   trials, chains                        test trials; chains of actions the pictures are scored
 ///   on pictures.x1, .x2                      after one and two transforms, each with

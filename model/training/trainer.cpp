@@ -51,8 +51,9 @@ void RequireKnownStages(const std::set<std::string>& stages) {
 }
 
 /// Said before hours of training rather than after them.
-void RequireEveryPart(const TrialFile& file, const SampleSet& samples) {
-  for (const Split split : {Split::kTrain, Split::kValid, Split::kTest}) {
+void RequireParts(const TrialFile& file, const SampleSet& samples,
+                  const std::vector<Split>& parts) {
+  for (const Split split : parts) {
     if (!samples.TrialsOf(split).empty()) continue;
     throw DataError(file.path() + ": none of its " + std::to_string(file.size()) +
                     " trials is in the " + SplitName(split) +
@@ -85,7 +86,13 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
     throw DataError(file.path() +
                     ": number of actions or picture size differ from the configuration");
   }
-  if (options.stages.empty()) RequireEveryPart(file, samples);
+  if (options.score_only) {
+    RequireParts(file, samples, {Split::kTest});
+    return samples;
+  }
+  if (options.stages.empty()) {
+    RequireParts(file, samples, {Split::kTrain, Split::kValid, Split::kTest});
+  }
   if (options.stages.empty() || options.stages.count("heads") > 0) RequireSuccess(file, samples);
   return samples;
 }

@@ -23,6 +23,8 @@ struct TrainOptions {
   /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder,
   /// transform, heads.
   std::set<std::string> stages;
+  bool score_only = false;  ///< nothing is trained: the data set need only have test trials
+  std::string command;      ///< kept in the metadata: how the weights were made
 };
 
 /// One stage of a run, for tables.

@@ -132,6 +132,40 @@ TEST_F(TrainingTest, ABundleIsAllButCAndIsScoredWithoutIt) {
   EXPECT_EQ(again, expected);
 }
 
+TEST_F(TrainingTest, HeldOutTrialsAloneAreEnoughForScores) {
+  TrainConfig config = TinyConfig();
+  TrainOptions options = Options("run");
+  options.command = "how it was made";
+  Trainer trainer(config, options);
+  trainer.Run();
+  RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores = ComputeScores(trainer.context(), trainer.file(), 2);
+  const std::string weights = ExportWeights(trainer, scores);
+  EXPECT_EQ(ReadWeights(weights).metadata["command"], "how it was made");
+  EXPECT_EQ(
+      ReadWeights(weights).metadata["trial_seeds"],
+      (std::vector<std::uint64_t>{trainer.file().seeds().front(), trainer.file().seeds().back()}));
+
+  options = Options("scored");
+  options.data = folder_ / "test.h5";
+  PackChoice choice;
+  choice.split = Split::kTest;
+  PackTrialFiles({Options("run").data}, options.data, choice);
+  EXPECT_THROW(Trainer(config, options), DataError) << "nothing to train on";
+  options.score_only = true;
+  Trainer scored(config, options);
+  scored.Load(weights);
+  const nlohmann::json again = ComputeScores(scored.context(), scored.file(), 2);
+  EXPECT_EQ(again["pictures"], scores["pictures"]);
+  EXPECT_EQ(again["labels"], scores["labels"]);
+  for (const char* head : {"value", "f", "p", "q"}) {
+    for (const char* of : {"brier", "area_under_roc", "balanced_accuracy_at_half"}) {
+      EXPECT_EQ(again[head]["after_one"][of], scores[head]["after_one"][of]) << head << " " << of;
+    }
+  }
+  EXPECT_EQ(again["value"]["real"]["threshold"], 0.5);
+}
+
 TEST_F(TrainingTest, AnotherTaskOrShapeIsRefused) {
   TrainOptions options = Options("run");
   options.task = "navigation";
