@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kExitUsage = 2, kExitFailed = 4, kExitTolerance = 5, kExitDisk = 13;
 
 struct Options {
-  std::string figures, weights, work, json_file;
+  std::string figures, weights, held_out, work, json_file;
   bool full = false;
   int jobs = 2;
 };
@@ -40,7 +40,9 @@ void AddOptions(CLI::App* app, Options* options) {
   app->add_option("--figures", options->figures, "What to measure, and what the README says of it")
       ->required()
       ->check(CLI::ExistingFile);
-  app->add_option("--weights", options->weights, "Weights file, its classifiers' file beside it")
+  app->add_option("--weights", options->weights, "Folder of weights, TASK.safetensors each")
+      ->required();
+  app->add_option("--held-out", options->held_out, "Folder of held-out trials, TASK.h5 each")
       ->required();
   app->add_option("--work", options->work, "Folder for trials and reports")->required();
   app->add_flag("--full", options->full, "Everything, as in the README: hours");
@@ -82,6 +84,7 @@ json Measure(const Measurement& measurement, const Options& options, const std::
   const std::string report = folder + "/report.json";
   const std::string programs = fs::read_symlink("/proc/self/exe").parent_path().string();
   values.insert({{"weights", options.weights},
+                 {"held_out", options.held_out},
                  {"work", options.work},
                  {"report", report},
                  {"jobs", std::to_string(options.jobs)}});

@@ -17,7 +17,7 @@ expect() {
     - {name: trials, pointer: $3, readme: "", quick: 2, full: $4, tolerance: 0.1}
 YAML
   local code=0
-  "$verify" --figures "$work/figures.yaml" --weights none --work "$work/w" --json "$work/out.json" "${@:5}" >"$work/log" 2>&1 || code=$?
+  "$verify" --figures "$work/figures.yaml" --weights none --held-out none --work "$work/w" --json "$work/out.json" "${@:5}" >"$work/log" 2>&1 || code=$?
   [ "$code" = "$1" ] || { echo "exit code $code, not $1:"; cat "$work/log"; exit 1; }
 }
 
