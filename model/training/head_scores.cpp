@@ -22,6 +22,9 @@ void Append(const HeadJudgements& from, HeadJudgements* to) {
   Append(from.imagined, &to->imagined);
   Append(from.after_one, &to->after_one);
   Append(from.after_two, &to->after_two);
+  Append(from.boundary, &to->boundary);
+  Append(from.boundary_after_one, &to->boundary_after_one);
+  Append(from.boundary_after_two, &to->boundary_after_two);
   Append(from.plan, &to->plan);
   if (to->done_at_depth.size() < from.done_at_depth.size()) {
     to->done_at_depth.resize(from.done_at_depth.size());
@@ -43,6 +46,7 @@ class TrialJudge {
 
   HeadJudgements Judge() {
     JudgeReal();
+    JudgeBoundaries();
     JudgeImagined();
     return std::move(result_);
   }
@@ -88,6 +92,27 @@ class TrialJudge {
     }
   }
 
+  /// `h` after segment k, real or imagined.
+  void JudgeEnd(const torch::Tensor& h, int k, StateJudgements* to) {
+    const SegmentSample& segment = Segment(k);
+    to->value.push_back({Value(h), trial_.succeeded});
+    to->done.push_back({Done(h, segment.action), segment.succeeded});
+    JudgeNext(h, segment.action, k + 1, to);
+  }
+
+  void JudgeBoundaries() {
+    for (int k = 0; k < trial_.segments; ++k) {
+      const SegmentSample& segment = Segment(k);
+      JudgeEnd(split_.Hidden(segment.goal), k, &result_.boundary);
+      torch::Tensor h = split_.Hidden(segment.start);
+      h = networks_.transform->forward(h0_, h, Action(segment.action));
+      JudgeEnd(h, k, &result_.boundary_after_one);
+      if (k + 1 == trial_.segments) continue;
+      h = networks_.transform->forward(h0_, h, Action(Segment(k + 1).action));
+      JudgeEnd(h, k + 1, &result_.boundary_after_two);
+    }
+  }
+
   void JudgeImagined() {
     torch::Tensor h = split_.Hidden(Segment(0).start);
     float plan = 1.0F;
@@ -96,9 +121,7 @@ class TrialJudge {
       const SegmentSample& segment = Segment(k);
       h = networks_.transform->forward(h0_, h, Action(segment.action));
       StateJudgements one;
-      one.value.push_back({Value(h), trial_.succeeded});
-      one.done.push_back({Done(h, segment.action), segment.succeeded});
-      JudgeNext(h, segment.action, k + 1, &one);
+      JudgeEnd(h, k, &one);
       Append(one, &result_.imagined);
       if (k == 0) Append(one, &result_.after_one);
       if (k == 1) Append(one, &result_.after_two);

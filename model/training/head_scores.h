@@ -22,13 +22,16 @@ struct HeadJudgements {
   StateJudgements imagined;   ///< after any number of transforms
   StateJudgements after_one;  ///< after one
   StateJudgements after_two;
+  /// Between actions only, as encoded, and after one and two transforms of such encodings, wherever
+  /// in the trial they are.
+  StateJudgements boundary, boundary_after_one, boundary_after_two;
   std::vector<Judgements> done_at_depth;  ///< f, [k]: after k+1 transforms
   /// V at the end of the imagined trial times f along it, against the trial's outcome.
   Judgements plan;
 };
 
-/// Imagined states are those of the whole trial imagined from its first action on. Uses `threads`
-/// threads.
+/// Imagined states, but for boundary_after_*, are those of the whole trial imagined from its first
+/// action on. Uses `threads` threads.
 HeadJudgements JudgeHeads(const ScoredSplit& split, int threads);
 
 }  // namespace prospect::model

@@ -48,7 +48,10 @@ class HeadsStage : public Stage {
   }
 
  private:
-  StateLabels NoLabels() const { return {context_.samples, context_.config.labels == "authors"}; }
+  StateLabels NoLabels() const {
+    const bool authors = context_.config.labels == "authors";
+    return {context_.samples, authors, authors ? 1.0 : context_.config.inside_weight};
+  }
 
   /// Every cached frame of the trials: the first, the goals, the ones inside.
   void AddReal(const std::vector<int>& trials, const std::vector<int>& variants, double weight,
@@ -134,8 +137,8 @@ class HeadsStage : public Stage {
     // f is asked only about an action; rows without one carry the first action and no weight.
     const torch::Tensor asked = a.clamp_max(context_.samples.num_actions - 1);
     const torch::Tensor done =
-        MaskedMean(Entropy(networks.f->forward(h0, h, asked).squeeze(1), done_label.clamp_min(0)),
-                   done_label.ge(0).to(torch::kFloat));
+        MaskedMean(Entropy(networks.f->forward(h0, h, asked).squeeze(1), done_label),
+                   FloatTensor(labels.f_weight, context_.device));
     const torch::Tensor p = Structure(networks.p->forward(h0, h, a), labels);
     const torch::Tensor q = Quality(networks.q->forward(h0, h, a), labels);
     result->loss = result->loss + weight * (value + done + p + q);
@@ -169,7 +172,8 @@ class HeadsStage : public Stage {
 void StateLabels::AddFirst(int trial) {
   const TrialSample& t = samples_.trials[static_cast<std::size_t>(trial)];
   const SegmentSample& first = samples_.segments[static_cast<std::size_t>(t.first_segment)];
-  Add(trial, samples_.num_actions, first.action, true, -1.0F);
+  Add(trial, samples_.num_actions, first.action, true);
+  AddDone(0.0F, 0.0F);
 }
 
 void StateLabels::AddGoal(int segment) {
@@ -177,31 +181,33 @@ void StateLabels::AddGoal(int segment) {
   const TrialSample& t = samples_.trials[static_cast<std::size_t>(s.trial)];
   const bool last = segment + 1 == t.first_segment + t.segments;
   const int next = last ? -1 : samples_.segments[static_cast<std::size_t>(segment) + 1].action;
-  if (authors_) {
-    Add(s.trial, s.action, last ? s.action : next, true, last ? 0.0F : 1.0F);
-  } else {
-    Add(s.trial, s.action, next, true, s.succeeded ? 1.0F : 0.0F);
-  }
+  Add(s.trial, s.action, authors_ && last ? s.action : next, true);
+  AddDone((authors_ ? !last : s.succeeded) ? 1.0F : 0.0F, 1.0F);
 }
 
 void StateLabels::AddInside(int segment) {
   const SegmentSample& s = samples_.segments[static_cast<std::size_t>(segment)];
-  Add(s.trial, s.action, authors_ ? s.action : -1, authors_, 0.0F);
+  Add(s.trial, s.action, authors_ ? s.action : -1, authors_);
+  AddDone(0.0F, inside_weight_);
 }
 
 /// `next`: the action that Q is taught about, -1 = none; `asked`: whether p is.
-void StateLabels::Add(int trial, int a, int next, bool asked, float is_done) {
+void StateLabels::Add(int trial, int a, int next, bool asked) {
   const TrialSample& t = samples_.trials[static_cast<std::size_t>(trial)];
   const float outcome = t.succeeded ? 1.0F : 0.0F;
   action.push_back(a);
   value.push_back(outcome);
-  done.push_back(is_done);
   structure.push_back(asked ? 1.0F : 0.0F);
   for (int b = 0; b < samples_.num_actions; ++b) {
     const bool possible = authors_ ? b == next : MayFollow(samples_, t, a, b);
     p.push_back(possible ? 1.0F : 0.0F);
     q.push_back(b == next ? outcome : authors_ ? 0.0F : -1.0F);
   }
+}
+
+void StateLabels::AddDone(float is_done, float weight) {
+  done.push_back(is_done);
+  f_weight.push_back(weight);
 }
 
 std::unique_ptr<Stage> MakeHeadsStage(const TrainContext& context) {

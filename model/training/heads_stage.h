@@ -22,7 +22,9 @@ namespace prospect::model {
 /// action. Q: as p, times the trial's success: in failed trials no action at all.
 class StateLabels {
  public:
-  StateLabels(const SampleSet& samples, bool authors) : samples_(samples), authors_(authors) {}
+  /// `inside_weight`: of f's loss on frames inside an action, beside 1 on its end.
+  StateLabels(const SampleSet& samples, bool authors, double inside_weight = 1.0)
+      : samples_(samples), authors_(authors), inside_weight_(static_cast<float>(inside_weight)) {}
 
   void AddFirst(int trial);   ///< the state before a trial's first action
   void AddGoal(int segment);  ///< the one on which an action ends, real or imagined
@@ -30,15 +32,18 @@ class StateLabels {
 
   std::vector<int> action;       ///< that led here; num_actions = none
   std::vector<float> value;      ///< V's label
-  std::vector<float> done;       ///< f's; -1 = none: before the first action
+  std::vector<float> done;       ///< f's; where f_weight is 0, any
+  std::vector<float> f_weight;   ///< 0 before the first action
   std::vector<float> structure;  ///< 1 where p is asked, else 0
   std::vector<float> p, q;       ///< rows x actions; q: -1 = no loss
 
  private:
-  void Add(int trial, int a, int next, bool asked, float is_done);
+  void Add(int trial, int a, int next, bool asked);
+  void AddDone(float is_done, float weight);
 
   const SampleSet& samples_;
   bool authors_;
+  float inside_weight_;
 };
 
 /// Trains V, Q, p and f (separate networks, one loop) on encodings of real frames, and on states

@@ -41,6 +41,9 @@ json HeadScores(const HeadJudgements& valid, const HeadJudgements& test) {
   AddStates("real", valid.real, test.real, &scores);
   AddStates("after_one", valid.after_one, test.after_one, &scores);
   AddStates("after_two", valid.after_two, test.after_two, &scores);
+  AddStates("boundary", valid.boundary, test.boundary, &scores);
+  AddStates("boundary_after_one", valid.boundary_after_one, test.boundary_after_one, &scores);
+  AddStates("boundary_after_two", valid.boundary_after_two, test.boundary_after_two, &scores);
   AddStates("imagined", valid.imagined, test.imagined, &scores);
   for (std::size_t k = 0; k < test.done_at_depth.size(); ++k) {
     const bool chosen = k < valid.done_at_depth.size();

@@ -88,6 +88,9 @@ struct TrainConfig {
   /// Beyond the paper: share of the heads' loss on states imagined by T (chains of whole plans); 0
   /// = the paper's.
   double imagined_share = 0.5;
+  /// Weight of f's loss on frames inside an action (label 0), beside 1 on the frame that ends it.
+  /// Where the last tenths of a second look alike, they teach f to say "perhaps" of every end.
+  double inside_weight = 1.0;
   /// What V, Q, p and f are taught (StateLabels in model/training/heads_stage.h): "paper" or
   /// "authors".
   std::string labels = "paper";

@@ -262,6 +262,7 @@ struct Trainer::Impl {
   std::string HeadsKey() const {
     json inputs = {"heads-1", TransformKey(), config.heads, config.imagined_share};
     if (!samples.successors.empty()) inputs.push_back(samples.successors);
+    if (config.inside_weight != 1.0) inputs.push_back(config.inside_weight);
     if (config.labels != "paper") inputs.push_back(config.labels);
     return KeyOf(inputs);
   }

@@ -28,7 +28,7 @@ SampleSet TwoTrials() {
 
 /// The first state, then the end and the inside of either action.
 StateLabels LabelsOf(const SampleSet& set, int trial, bool authors) {
-  StateLabels labels(set, authors);
+  StateLabels labels(set, authors, 0.25);
   labels.AddFirst(trial);
   for (int s = 2 * trial; s < 2 * trial + 2; ++s) {
     labels.AddGoal(s);
@@ -43,8 +43,9 @@ TEST(StateLabels, OfThePaper) {
   EXPECT_EQ(solved.action, (std::vector<int>{3, 0, 0, 1, 1}));
   EXPECT_EQ(solved.value, (Rows{1, 1, 1, 1, 1}));
   EXPECT_EQ(failed.value, (Rows{0, 0, 0, 0, 0}));
-  EXPECT_EQ(solved.done, (Rows{-1, 1, 0, 1, 0})) << "each action that succeeded";
-  EXPECT_EQ(failed.done, (Rows{-1, 1, 0, 0, 0})) << "the second one failed";
+  EXPECT_EQ(solved.done, (Rows{0, 1, 0, 1, 0})) << "each action that succeeded";
+  EXPECT_EQ(failed.done, (Rows{0, 1, 0, 0, 0})) << "the second one failed";
+  EXPECT_EQ(solved.f_weight, (Rows{0, 1, 0.25, 1, 0.25})) << "not asked before the first action";
   EXPECT_EQ(solved.structure, (Rows{1, 1, 0, 1, 0})) << "only between actions";
   EXPECT_EQ(solved.p, (Rows{1, 1, 1, 0, 1, 1, 0, 1, 1, 1, 0, 1, 1, 0, 1})) << "what may follow";
   const float none = -1;
@@ -63,8 +64,8 @@ TEST(StateLabels, OfTheAuthors) {
   EXPECT_EQ(solved.action, (std::vector<int>{3, 0, 0, 1, 1}));
   EXPECT_EQ(solved.value, (Rows{1, 1, 1, 1, 1}));
   EXPECT_EQ(failed.value, (Rows{0, 0, 0, 0, 0}));
-  EXPECT_EQ(solved.done, (Rows{-1, 1, 0, 0, 0}));
-  EXPECT_EQ(failed.done, (Rows{-1, 1, 0, 0, 0}));
+  EXPECT_EQ(solved.done, (Rows{0, 1, 0, 0, 0}));
+  EXPECT_EQ(failed.done, (Rows{0, 1, 0, 0, 0}));
   EXPECT_EQ(solved.structure, (Rows{1, 1, 1, 1, 1})) << "on every frame";
   EXPECT_EQ(solved.p, (Rows{1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0})) << "the frame's action";
   EXPECT_EQ(solved.q, solved.p);
