@@ -94,7 +94,7 @@ class TorchEngine : public Engine {
     }
     const torch::Tensor picture = Picture(seen);
     return Paint(states, [&](const torch::Tensor& decoded) {
-      return ComposePicture(picture, decoded_start, decoded);
+      return ImaginedPicture(picture, decoded_start, decoded, compose_);
     });
   }
 
@@ -114,6 +114,7 @@ class TorchEngine : public Engine {
       : networks_(ConfigOf(file, path)),
         info_(InfoOf(file, networks_.config)),
         weights_hash_(file.hash),
+        compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
         pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {
     at::set_num_threads(1);  // rows are the parallelism
     for (const auto& [prefix, module] : networks_.named()) {
@@ -202,6 +203,7 @@ class TorchEngine : public Engine {
   Networks networks_;
   EngineInfo info_;
   std::uint64_t weights_hash_ = 0;
+  bool compose_ = true;  // pictures keep what was seen where nothing changes
   std::uint64_t fingerprint_ = 0;
   bool has_classifier_ = false;
   std::mutex mutex_;  // one question at a time; the pool spreads its rows

@@ -183,8 +183,8 @@ class Tables {
     text += a_.data.paper_tail ? ", last actions twice" : ", last actions left out";
     return text +
            ". Errors against the clean goal pictures; labels read by a second classifier "
-           "that is in no loss. Brackets: 95 % by drawing trials anew. 'Composed' is the "
-           "picture that Prospect shows; it and C's own label are taken of every fifth "
+           "that is in no loss. Brackets: 95 % by drawing trials anew. 'Composed' keeps what was "
+           "seen where decoding shows no change; it and C's own label are taken of every fifth "
            "example.\n";
   }
 

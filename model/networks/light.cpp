@@ -7,6 +7,11 @@ torch::Tensor LightGain(const torch::Tensor& seen, const torch::Tensor& decoded)
   return (seen * x).sum({1, 2, 3}, true) / x.square().sum({1, 2, 3}, true).clamp_min(1e-6);
 }
 
+torch::Tensor RelightPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
+                             const torch::Tensor& decoded) {
+  return (decoded * LightGain(seen, decoded_start)).clamp(0.0, 1.0);
+}
+
 torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
                              const torch::Tensor& decoded) {
   // Chosen on the validation split of navigation: lower ones paint noise of the decoder over what
@@ -18,6 +23,12 @@ torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& dec
   const torch::Tensor fresh = ((difference - kSame) / (kOther - kSame)).clamp(0.0, 1.0);
   const torch::Tensor painted = decoded * gain;
   return (seen + fresh * (painted - seen)).clamp(0.0, 1.0);
+}
+
+torch::Tensor ImaginedPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
+                              const torch::Tensor& decoded, bool compose) {
+  return compose ? ComposePicture(seen, decoded_start, decoded)
+                 : RelightPicture(seen, decoded_start, decoded);
 }
 
 }  // namespace prospect::model

@@ -11,11 +11,20 @@ namespace prospect::model {
 torch::Tensor LightGain(const torch::Tensor& seen, const torch::Tensor& decoded);
 
 /// The picture of an imagined state [1,3,H,W]: the decoded one, in the light of the picture that
-/// was seen where imagination began, where decoding differs from decoding that beginning, and the
-/// seen one where it does not. Beyond the paper: what no action changes need not be painted anew.
+/// was seen where imagination began.
 /// @param seen what the camera saw; @param decoded_start its decoded encoding; @param decoded the
 /// decoded imagined state
+torch::Tensor RelightPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
+                             const torch::Tensor& decoded);
+
+/// The same where decoding differs from decoding that beginning, and what was seen where it does
+/// not. Beyond the paper: what no action changes need not be painted anew. It pays where little
+/// changes (navigation), not where a shadow moves over the whole picture (stacking).
 torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
                              const torch::Tensor& decoded);
+
+/// ComposePicture if `compose`, else RelightPicture.
+torch::Tensor ImaginedPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
+                              const torch::Tensor& decoded, bool compose);
 
 }  // namespace prospect::model

@@ -136,7 +136,8 @@ class ChainScorer {
 
   void ScorePicture(const torch::Tensor& h, const SegmentSample& first, const SegmentSample& step,
                     StepSums* sums) {
-    const torch::Tensor x = ComposePicture(seen_, decoded_start_, networks_.decoder->forward(h));
+    const torch::Tensor x = ImaginedPicture(seen_, decoded_start_, networks_.decoder->forward(h),
+                                            context_.config.compose);
     const torch::Tensor goal = Seen(step.goal);
     const torch::Tensor clean = Clean(step.goal);
     const torch::Tensor changed =

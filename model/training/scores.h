@@ -12,7 +12,7 @@ namespace prospect::model {
 ///
 // clang-format off
 ///   trials, chains        test trials; chains of actions the pictures are scored on
-///   pictures.x1, .x2      after one and two transforms of a trial's first picture, each with
+///   pictures.x1, .x2      after one and two transforms from the start of actions, each with
 ///     mae, mae_changed      against the goal picture as seen (with noise); "changed": pixels that
 ///                           differ by more than 0.1 between the clean start and goal pictures
 ///     mae_clean, mae_changed_clean  against the clean goal picture

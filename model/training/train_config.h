@@ -91,6 +91,9 @@ struct TrainConfig {
   /// Weight of f's loss on frames inside an action (label 0), beside 1 on the frame that ends it.
   /// Where the last tenths of a second look alike, they teach f to say "perhaps" of every end.
   double inside_weight = 1.0;
+  /// Imagined pictures keep what was seen where the decoder shows no change (ComposePicture in
+  /// model/networks/light.h). Nothing is trained differently.
+  bool compose = true;
   /// What V, Q, p and f are taught (StateLabels in model/training/heads_stage.h): "paper" or
   /// "authors".
   std::string labels = "paper";

@@ -12,7 +12,7 @@ enum Column : std::size_t {
   kX1Error,     ///<
   kX2Label,     ///< of the second
   kX2Error,     ///<
-  kX1Composed,  ///< error of the picture that Prospect shows (model/networks/light.h)
+  kX1Composed,  ///< error of ComposePicture (model/networks/light.h)
   kX2Composed,  ///<
   kX2LabelOfC,  ///< label by C itself, which stands in the loss of some variants
   kColumns

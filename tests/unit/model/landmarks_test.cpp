@@ -131,6 +131,17 @@ TEST(ComposePicture, ShowsWhatWasSeenWhereNothingChangesAndPaintsTheRestInItsLig
   EXPECT_TRUE(torch::allclose(ComposePicture(seen, decoded_start * 0.3F, decoded * 0.3F), picture));
 }
 
+TEST(RelightPicture, IsTheDecodedOneInTheLightOfWhatWasSeen) {
+  const torch::Tensor decoded_start = torch::full({1, 3, 4, 4}, 0.5F);
+  const torch::Tensor decoded = torch::full({1, 3, 4, 4}, 0.55F);
+  const torch::Tensor seen = decoded_start * 1.1F;
+  const torch::Tensor picture = RelightPicture(seen, decoded_start, decoded);
+  EXPECT_TRUE(torch::allclose(picture, torch::full({1, 3, 4, 4}, 0.605F), 1e-4));
+  EXPECT_TRUE(ImaginedPicture(seen, decoded_start, decoded, false).equal(picture));
+  EXPECT_TRUE(ImaginedPicture(seen, decoded_start, decoded, true)
+                  .equal(ComposePicture(seen, decoded_start, decoded)));
+}
+
 TEST(TurnOf, FewVariantsStillShowAllTurns) {
   TrainConfig config;
   EXPECT_EQ(TurnOf(config, 5, 0), 0);
