@@ -17,7 +17,7 @@ constexpr std::size_t kBytesPerRollout = 54;
 constexpr std::int64_t kRepeatUs = 20'000;
 
 TaskRules Checked(TaskRules rules) {
-  rules.Validate();
+  rules.Prepare();
   return rules;
 }
 

@@ -22,16 +22,47 @@ bool TaskRules::Complete(const Path& executed, const Path& path) const {
   return static_cast<int>(executed.size() + path.size()) >= plan_length;
 }
 
+void TaskRules::Prepare() {
+  Validate();
+  const std::vector<int>& first = successors.back();
+  std::vector<bool> now;
+  for (int action = 0; action < num_actions; ++action) {
+    const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
+    now.push_back(std::all_of(next.begin(), next.end(), [&](int a) {
+      return std::find(first.begin(), first.end(), a) != first.end();
+    }));
+  }
+  finishes.assign(1, now);
+  for (int steps = 1; steps < plan_length; ++steps) {
+    const std::vector<bool> later = finishes.back();
+    for (int action = 0; action < num_actions; ++action) {
+      const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
+      now[static_cast<std::size_t>(action)] = std::any_of(
+          next.begin(), next.end(), [&](int a) { return later[static_cast<std::size_t>(a)]; });
+    }
+    finishes.push_back(now);
+  }
+}
+
 bool TaskRules::Allowed(const Path& executed, const Path& path, int action) const {
-  if (Complete(executed, path)) return false;
-  if (!repeats_allowed && (Contains(executed, action) || Contains(path, action))) return false;
-  const Path& latest = path.empty() ? executed : path;
-  const int row = latest.empty() ? num_actions : latest.back();
-  const std::vector<int>& next = successors.at(row);
-  return std::find(next.begin(), next.end(), action) != next.end();
+  const std::vector<int> actions = AllowedActions(executed, path);
+  return std::binary_search(actions.begin(), actions.end(), action);
 }
 
 std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
+  std::vector<int> actions = Following(executed, path);
+  if (actions.empty() || finishes.empty()) return actions;
+  const std::vector<bool>& ends =
+      finishes.at(static_cast<std::size_t>(plan_length) - executed.size() - path.size() - 1);
+  const auto leads_nowhere = [&](int action) { return !ends[static_cast<std::size_t>(action)]; };
+  if (!std::all_of(actions.begin(), actions.end(), leads_nowhere)) {
+    actions.erase(std::remove_if(actions.begin(), actions.end(), leads_nowhere), actions.end());
+  }
+  return actions;
+}
+
+// What the table allows, ascending.
+std::vector<int> TaskRules::Following(const Path& executed, const Path& path) const {
   std::vector<int> actions;
   if (Complete(executed, path)) return actions;
   const Path& latest = path.empty() ? executed : path;
@@ -76,7 +107,7 @@ TaskRules AnyOrder(int num_actions, int plan_length, bool repeats_allowed) {
   std::vector<int> all(std::max(num_actions, 0));
   std::iota(all.begin(), all.end(), 0);
   rules.successors.assign(all.size() + 1, all);
-  rules.Validate();
+  rules.Prepare();
   return rules;
 }
 

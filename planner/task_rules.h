@@ -1,7 +1,7 @@
 // What a task allows, apart from any learned model: which action may follow which, whether an
-// action may be repeated, and after how many actions the task's plan is complete. The search masks
-// what the rules exclude, so that no network is asked about it. Plain data; const member functions
-// are safe from any thread.
+// action may be repeated, after how many actions the task's plan is complete, and how it can end.
+// The search masks what the rules exclude, so that no network is asked about it. Plain data; const
+// member functions are safe from any thread.
 #pragma once
 
 #include <vector>
@@ -21,6 +21,15 @@ struct TaskRules {
   std::vector<std::vector<int>> successors;
   // False: an action that was executed, or that stands earlier in the path, may not be taken again.
   bool repeats_allowed = false;
+  // [r][a]: whether a plan can end r actions after a. Filled by Prepare(); empty: any action ends a
+  // plan.
+  std::vector<std::vector<bool>> finishes;
+
+  // To be called when the fields above are set and whenever they change. A plan ends with an action
+  // after which one begins anew: whatever may follow it may also come first, as when an arm is back
+  // home. Where a plan of plan_length actions can still end so, only what leads there is allowed;
+  // where it cannot (an action failed in the middle), anything the table allows.
+  void Prepare();
 
   // `executed`: actions already carried out before this root, oldest first. `path`: actions
   // imagined from the root. False also when the plan is complete. `action` outside the table is
@@ -38,6 +47,9 @@ struct TaskRules {
 
   // Throws std::invalid_argument naming the field that is wrong and the range it must have.
   void Validate() const;
+
+ private:
+  std::vector<int> Following(const Path& executed, const Path& path) const;
 };
 
 // Rules in which any action may follow any other (and itself, if repeats are allowed): the

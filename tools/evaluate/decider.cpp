@@ -40,6 +40,7 @@ planner::TaskRules RulesOf(const sim::TaskSpec& spec) {
   rules.plan_length = spec.plan_length;
   rules.successors = spec.successors;
   rules.repeats_allowed = spec.repeats_allowed;
+  rules.Prepare();
   return rules;
 }
 

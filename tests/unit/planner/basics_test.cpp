@@ -98,6 +98,41 @@ TEST(TaskRules, FollowsTheSuccessorTable) {
   EXPECT_FALSE(rules.Legal({}, {0, 1, 2, 0}));
 }
 
+// 0 begin, 1 go on, 2 finish; after 1 one may begin anew, too, and after 2 only that.
+TaskRules BeginGoOnFinish(int plan_length) {
+  TaskRules rules;
+  rules.num_actions = 3;
+  rules.plan_length = plan_length;
+  rules.successors = {{1}, {0, 2}, {0}, {0}};
+  rules.repeats_allowed = true;
+  rules.Prepare();
+  return rules;
+}
+
+TEST(TaskRules, APlanEndsWhereOneBeginsAnew) {
+  const TaskRules rules = BeginGoOnFinish(3);
+  EXPECT_EQ(rules.AllowedActions({0, 1}, {}), (std::vector<int>{2})) << "not to begin anew";
+  EXPECT_TRUE(rules.Legal({}, {0, 1, 2}));
+  EXPECT_FALSE(rules.Legal({}, {0, 1, 0}));
+  const TaskRules longer = BeginGoOnFinish(5);
+  EXPECT_EQ(longer.AllowedActions({}, {0, 1}), (std::vector<int>{0})) << "five, by a second try";
+  EXPECT_TRUE(longer.Legal({}, {0, 1, 0, 1, 2}));
+}
+
+TEST(TaskRules, WhereAPlanCannotEndAnyMoreTheTableDecides) {
+  const TaskRules rules = BeginGoOnFinish(3);
+  EXPECT_EQ(rules.AllowedActions({0, 1, 2}, {}), (std::vector<int>{})) << "complete";
+  EXPECT_EQ(rules.AllowedActions({2, 0}, {}), (std::vector<int>{1}));
+  EXPECT_EQ(rules.AllowedActions({1}, {0}), (std::vector<int>{1}));
+}
+
+TEST(TaskRules, InAnyOrderEveryActionEndsAPlan) {
+  const TaskRules rules = AnyOrder(4, 3);
+  for (const std::vector<bool>& row : rules.finishes) {
+    EXPECT_EQ(row, std::vector<bool>(4, true));
+  }
+}
+
 TEST(TaskRules, ValidateNamesTheFault) {
   TaskRules rules = AnyOrder(3, 2);
   rules.successors.pop_back();
