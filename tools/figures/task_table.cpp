@@ -39,7 +39,7 @@ TaskTable TableFor(const TaskTable& table, const model::Trial& trial) {
   TaskTable same = table;
   same.rules.plan_length = trial.plan_length;
   try {
-    same.rules.Validate();
+    same.rules.Prepare();
   } catch (const std::invalid_argument& error) {
     throw model::DataError("trial of seed " + std::to_string(trial.seed) + ": " + error.what());
   }

@@ -192,13 +192,17 @@ TEST(TaskTable, NamesAreForPeople) {
 TEST(TaskTable, PlansAreAsLongAsTheTrials) {
   model::Trial trial = model::MadeTrial(1);
   trial.plan_length = 18;
-  EXPECT_EQ(TableFor(TableOf("stacking"), trial).rules.plan_length, 18);
+  const planner::TaskRules rules = TableFor(TableOf("stacking"), trial).rules;
+  EXPECT_EQ(rules.plan_length, 18);
+  EXPECT_EQ(rules.finishes.size(), 18U) << "prepared for it";
+  EXPECT_EQ(rules.AllowedActions({}, {}).size(), 4U);
   trial.plan_length = 0;
   EXPECT_THROW(TableFor(TableOf("stacking"), trial), model::DataError);
 }
 
 TEST(TaskTable, OnwardLeavesOutTryingAgain) {
-  const TaskTable table = TableOf("stacking");
+  TaskTable table = TableOf("stacking");
+  table.rules.finishes.clear();  // as if the plan could end anywhere
   const auto index = [](sim::StackingKind kind, int block) {
     return static_cast<std::uint8_t>(sim::StackingIndex(kind, block, 4));
   };
