@@ -1,5 +1,6 @@
 #include "tools/evaluate/decider.h"
 
+#include <algorithm>
 #include <random>
 
 namespace prospect::tools {
@@ -20,10 +21,15 @@ class Random : public Decider {
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
     generator_.seed(scene_seed * 2654435761u + 17);
   }
-  Decision Decide(const planner::Path&, const std::vector<std::uint8_t>&,
+  // Of what is possible now, what a plan of the task's length can go on with: a random legal plan.
+  Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>&,
                   sim::Task& task) override {
     Decision decision;
-    const std::vector<int> legal = task.LegalActions();
+    const std::vector<int> allowed = RulesOf(task.spec()).AllowedActions(executed, {});
+    std::vector<int> legal;
+    for (const int action : task.LegalActions()) {
+      if (std::binary_search(allowed.begin(), allowed.end(), action)) legal.push_back(action);
+    }
     if (!legal.empty()) decision.action = legal[generator_() % legal.size()];
     return decision;
   }
