@@ -335,7 +335,7 @@ StageOutcome Train(Stage* stage, const StageRun& run, const StageFile& file, Ste
     if ((i + 1) % kLogEvery != 0 && i + 1 != total) continue;
     const auto row = means.Take();
     curves.Write(i + 1, row);
-    progress.Show(i + 1, total, NoteOf(row));
+    if (!run.quiet) progress.Show(i + 1, total, NoteOf(row));
     // Only here, so that the averages of the curves need not be stored.
     if (SecondsSince(saved) >= run.checkpoint_seconds) {
       file.Save(file.checkpoint(), i + 1, seconds());

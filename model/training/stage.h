@@ -44,6 +44,7 @@ struct StageRun {
   int shards = 2;
   int threads = 2;
   bool mixed_precision = false;  ///< model/networks/precision.h
+  bool quiet = false;            ///< no progress on stderr
   double checkpoint_seconds = 60;
   torch::Device device = torch::kCPU;
   /// For tests: stop (as if killed) after this many iterations; -1 = never.

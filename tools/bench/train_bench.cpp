@@ -172,6 +172,7 @@ class Bench {
     run.device = context_.device;
     run.mixed_precision = config_.precision == "mixed";
     run.stop_after = count;
+    run.quiet = true;  // of stages without an end there is nothing to tell
     return model::RunStage(stage, run).seconds;
   }
 
