@@ -8,8 +8,9 @@
 namespace prospect::planner {
 namespace {
 
-bool Contains(const Path& path, int action) {
-  return std::find(path.begin(), path.end(), action) != path.end();
+template <typename List>
+bool Contains(const List& list, int action) {
+  return std::find(list.begin(), list.end(), action) != list.end();
 }
 
 void Require(bool holds, const std::string& what) {
@@ -28,9 +29,7 @@ void TaskRules::Prepare() {
   std::vector<bool> now;
   for (int action = 0; action < num_actions; ++action) {
     const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
-    now.push_back(std::all_of(next.begin(), next.end(), [&](int a) {
-      return std::find(first.begin(), first.end(), a) != first.end();
-    }));
+    now.push_back(std::all_of(next.begin(), next.end(), [&](int a) { return Contains(first, a); }));
   }
   finishes.assign(1, now);
   for (int steps = 1; steps < plan_length; ++steps) {
@@ -45,8 +44,31 @@ void TaskRules::Prepare() {
 }
 
 bool TaskRules::Allowed(const Path& executed, const Path& path, int action) const {
-  const std::vector<int> actions = AllowedActions(executed, path);
-  return std::binary_search(actions.begin(), actions.end(), action);
+  return AllowedAfter(executed, path, path.size(), action);
+}
+
+// Of `path` only the first `length` actions are looked at. Asked for every path that is heard, so
+// it makes no lists.
+bool TaskRules::AllowedAfter(const Path& executed, const Path& path, std::size_t length,
+                             int action) const {
+  const std::size_t steps = executed.size() + length;
+  if (static_cast<int>(steps) >= plan_length) return false;
+  const int latest = length > 0         ? path[length - 1]
+                     : executed.empty() ? num_actions
+                                        : executed.back();
+  const std::vector<int>& row = successors.at(static_cast<std::size_t>(latest));
+  const auto taken = [&](int a) {
+    const auto end = path.begin() + static_cast<std::ptrdiff_t>(length);
+    return !repeats_allowed && (Contains(executed, a) || std::find(path.begin(), end, a) != end);
+  };
+  if (!Contains(row, action) || taken(action)) return false;
+  if (finishes.empty()) return true;
+  const std::vector<bool>& ends = finishes.at(static_cast<std::size_t>(plan_length) - steps - 1);
+  const auto leads_to_an_end = [&](int a) {
+    return ends[static_cast<std::size_t>(a)] && !taken(a);
+  };
+  return ends[static_cast<std::size_t>(action)] ||
+         std::none_of(row.begin(), row.end(), leads_to_an_end);
 }
 
 std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
@@ -79,10 +101,8 @@ std::vector<int> TaskRules::Following(const Path& executed, const Path& path) co
 }
 
 bool TaskRules::Legal(const Path& executed, const Path& path) const {
-  Path walked;
-  for (const std::uint8_t action : path) {
-    if (!Allowed(executed, walked, action)) return false;
-    walked.push_back(action);
+  for (std::size_t length = 0; length < path.size(); ++length) {
+    if (!AllowedAfter(executed, path, length, path[length])) return false;
   }
   return true;
 }

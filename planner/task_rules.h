@@ -49,6 +49,7 @@ struct TaskRules {
   void Validate() const;
 
  private:
+  bool AllowedAfter(const Path& executed, const Path& path, std::size_t length, int action) const;
   std::vector<int> Following(const Path& executed, const Path& path) const;
 };
 

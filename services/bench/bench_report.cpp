@@ -91,21 +91,22 @@ void AddSpeedup(const std::vector<SearchRun>& first, const std::vector<SearchRun
 }
 
 std::string TableHead() {
-  return "workers  rollouts/s   growth (95 %)        evals/s  mean batch  computing  optimal  "
+  return "workers leaves  rollouts/s   growth (95 %)        evals/s  mean batch  computing  "
+         "optimal  "
          "regret  stat B/rollout  B/rollout   cores  latency ms p50    p90    p99\n";
 }
 
 std::string TableLine(const json& row) {
   const auto at = [&](const char* key) { return row.at(key).get<double>(); };
   char line[256];
-  std::snprintf(line, sizeof line,
-                "%7.0f %11.1f %6.2f (%5.2f..%5.2f) %10.1f %11.2f %10.2f %8.2f %7.4f %15.1f %10.0f "
-                "%7.2f %15.2f %6.2f %6.2f\n",
-                at("workers"), at("rollouts_per_s"), at("speedup"), at("speedup_low"),
-                at("speedup_high"), at("evaluations_per_s"), at("mean_batch"), at("compute_share"),
-                at("optimal_rate"), at("regret"), at("statistics_bytes_per_rollout"),
-                at("bytes_per_rollout"), at("cpu_cores"), at("latency_ms_p50"),
-                at("latency_ms_p90"), at("latency_ms_p99"));
+  std::snprintf(
+      line, sizeof line,
+      "%7.0f %6.0f %11.1f %6.2f (%5.2f..%5.2f) %10.1f %11.2f %10.2f %8.2f %7.4f %15.1f %10.0f "
+      "%7.2f %15.2f %6.2f %6.2f\n",
+      at("workers"), at("leaves"), at("rollouts_per_s"), at("speedup"), at("speedup_low"),
+      at("speedup_high"), at("evaluations_per_s"), at("mean_batch"), at("compute_share"),
+      at("optimal_rate"), at("regret"), at("statistics_bytes_per_rollout"), at("bytes_per_rollout"),
+      at("cpu_cores"), at("latency_ms_p50"), at("latency_ms_p90"), at("latency_ms_p99"));
   return line;
 }
 

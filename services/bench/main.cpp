@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <tuple>
 
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_loop.h"
@@ -45,7 +46,10 @@ void AddSearchOptions(CLI::App& app, SearchBenchOptions& bench) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--rule", bench.rule, "selection rule")->capture_default_str();
-  app.add_option("--leaves", bench.leaves, "evaluations a worker keeps in flight")
+  app.add_option(
+         "--leaves", bench.leaves,
+         "evaluations a worker keeps in flight: one number for all, or one for each of --workers")
+      ->delimiter(',')
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   app.add_option("--plan-length", bench.plan_length,
@@ -96,20 +100,35 @@ void AddEngineLoop(const Options& options, json* row) {
       alone, (*row)["engine_share"].get<double>(), (*row)["overhead_ms_p50"].get<double>());
 }
 
+struct Crowd {
+  int workers, leaves;
+};
+
+// Fewest workers first: a crew only grows.
+std::vector<Crowd> CrowdsOf(const SearchBenchOptions& bench) {
+  std::vector<Crowd> crowds;
+  for (std::size_t i = 0; i < bench.workers.size(); ++i)
+    crowds.push_back({bench.workers[i], bench.leaves[bench.leaves.size() > 1 ? i : 0]});
+  std::sort(crowds.begin(), crowds.end(), [](const Crowd& a, const Crowd& b) {
+    return std::tie(a.workers, a.leaves) < std::tie(b.workers, b.leaves);
+  });
+  return crowds;
+}
+
 json Measure(const Options& options) {
   Bus bus(options.common.bus);
   Conversation talk(bus);
   talk.monitor().RequireOwnBus();
   SearchBench bench(talk, options.bench, options.logs);
-  std::vector<int> counts = options.bench.workers;
-  std::sort(counts.begin(), counts.end());
+  const std::vector<Crowd> crowds = CrowdsOf(options.bench);
   json rows = json::array();
   std::vector<SearchRun> first;
   std::cout << TableHead() << std::flush;
-  for (const int workers : counts) {
-    const auto runs = bench.Measure(workers);
+  for (const Crowd& crowd : crowds) {
+    const auto runs = bench.Measure(crowd.workers, crowd.leaves);
     if (first.empty()) first = runs;
-    json row = RowOf(workers, runs, options.bench);
+    json row = RowOf(crowd.workers, runs, options.bench);
+    row["leaves"] = crowd.leaves;
     AddSpeedup(first, runs, &row);
     std::cout << TableLine(row) << std::flush;
     if (options.engine_loop) AddEngineLoop(options, &row);
@@ -152,6 +171,9 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  const auto& bench = options.bench;
+  if (bench.leaves.size() > 1 && bench.leaves.size() != bench.workers.size())
+    throw ExitError(kExitUsage, "--leaves wants one number, or one for each of --workers");
   ApplyCommonOptions(options.common, "bench");
   WriteFiles(options, Measure(options));
   return kExitSuccess;

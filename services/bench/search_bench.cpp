@@ -106,7 +106,7 @@ void SearchBench::TellTask() {
   talk_.Until([&] { return left == 0; }, kInfoMs, [&] { talk_.Say(task_), --left; }, 5);
 }
 
-SearchQuestion SearchBench::QuestionFor(std::int64_t seed) const {
+SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int leaves) const {
   SearchQuestion question;
   search_image_t image{};
   image.image_id = 1;
@@ -122,7 +122,7 @@ SearchQuestion SearchBench::QuestionFor(std::int64_t seed) const {
   root.task = task_.name;
   root.image0_id = root.image_id = image.image_id;
   root.time_left = -1;
-  root.leaves = options_.leaves;
+  root.leaves = leaves;
   root.sharing = options_.sharing ? 1 : 0;
   planner::SearchParameters parameters;
   parameters.rule = options_.rule;
@@ -154,13 +154,13 @@ void SearchBench::FillFromServers(const std::vector<model_info_t>& before, Searc
   run->batch_seconds = ComputeSeconds(after) - ComputeSeconds(before);
 }
 
-SearchRun SearchBench::MeasureOne(std::int64_t seed) {
+SearchRun SearchBench::MeasureOne(std::int64_t seed, int leaves) {
   SearchRun run;
   run.seed = seed;
   const auto before = FreshInfos(0);
   const double server_cpu = crew_.ServerCpu(), worker_cpu = crew_.WorkerCpu();
   traffic_.Reset();
-  const SearchAnswer answer = session_.Search(QuestionFor(seed));
+  const SearchAnswer answer = session_.Search(QuestionFor(seed, leaves));
   run.server_cpu = crew_.ServerCpu() - server_cpu;
   run.worker_cpu = crew_.WorkerCpu() - worker_cpu;
   run.rollouts = answer.rollouts;
@@ -184,11 +184,12 @@ SearchRun SearchBench::MeasureOne(std::int64_t seed) {
   return run;
 }
 
-std::vector<SearchRun> SearchBench::Measure(int workers) {
+std::vector<SearchRun> SearchBench::Measure(int workers, int leaves) {
   crew_.HaveWorkers(workers);
   TellTask();
   std::vector<SearchRun> runs;
-  for (int i = 0; i < options_.seeds; ++i) runs.push_back(MeasureOne(options_.first_seed + i));
+  for (int i = 0; i < options_.seeds; ++i)
+    runs.push_back(MeasureOne(options_.first_seed + i, leaves));
   return runs;
 }
 

@@ -20,7 +20,8 @@ struct SearchBenchOptions {
   std::vector<std::string> server_arguments;  ///< more of them
   std::string rule = "paper";
   std::int64_t samples = 800;  ///< rollouts of all workers, a search
-  int leaves = 1;
+  std::vector<int> leaves = {
+      1};          ///< evaluations a worker keeps in flight: one for all counts, or one each
   int seeds = 10;  ///< searches a worker count, each on a tree of its own
   std::int64_t first_seed = 0;
   int plan_length = 6;
@@ -52,14 +53,15 @@ class SearchBench {
  public:
   SearchBench(Conversation& talk, const SearchBenchOptions& options, const std::string& logs);
 
-  /// The searches of one worker count, which must not fall from call to call.
-  std::vector<SearchRun> Measure(int workers);
+  /// The searches of one worker count, which must not fall from call to call, with so many
+  /// evaluations in flight a worker.
+  std::vector<SearchRun> Measure(int workers, int leaves);
 
  private:
   void PrepareTask();
   void TellTask();
-  SearchQuestion QuestionFor(std::int64_t seed) const;
-  SearchRun MeasureOne(std::int64_t seed);
+  SearchQuestion QuestionFor(std::int64_t seed, int leaves) const;
+  SearchRun MeasureOne(std::int64_t seed, int leaves);
   void FillFromServers(const std::vector<model_info_t>& before, SearchRun* run);
   std::vector<model_info_t> FreshInfos(std::int64_t since_utime);
 

@@ -1,7 +1,12 @@
 // prospect-worker: a planner worker. Start as many as there are processors to spare; they find the
 // search by themselves.
 
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 
 #include "services/common/common_options.h"
 #include "services/common/health_monitor.h"
@@ -12,6 +17,13 @@
 namespace {
 
 using namespace prospect::services;
+
+// Everybody waits for the model server, so on a machine that they share workers let it go first:
+// its batches then follow each other at once. Before any thread is made: each inherits it.
+void YieldTo(int niceness) {
+  errno = 0;
+  if (nice(niceness) == -1 && errno != 0) spdlog::warn("cannot yield: {}", std::strerror(errno));
+}
 
 int Run(int argc, char** argv) {
   CLI::App app(
@@ -35,6 +47,11 @@ int Run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--journal", options.journal,
                  "write all that is heard and chosen to this file, for prospect-replay journal");
+  int niceness = 10;
+  app.add_option("--nice", niceness,
+                 "how far to yield the processor to the model server, as nice(1)")
+      ->check(CLI::Range(0, 19))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -42,6 +59,7 @@ int Run(int argc, char** argv) {
   }
   ApplyCommonOptions(common, "worker");
 
+  YieldTo(niceness);
   Bus bus(common.bus);
   HealthMonitor monitor(bus);
   Worker worker(bus, options);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -130,6 +132,33 @@ TEST(TaskRules, InAnyOrderEveryActionEndsAPlan) {
   const TaskRules rules = AnyOrder(4, 3);
   for (const std::vector<bool>& row : rules.finishes) {
     EXPECT_EQ(row, std::vector<bool>(4, true));
+  }
+}
+
+// One decides an action, the other lists them: on random tables they must say the same.
+TEST(TaskRules, DecidesWhatItLists) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    TaskRules rules = AnyOrder(6, 1 + round % 6, round % 2 == 0);
+    for (auto& row : rules.successors) {
+      row.erase(std::remove_if(row.begin(), row.end(), [&](int) { return random() % 3 == 0; }),
+                row.end());
+    }
+    if (round % 3 > 0) rules.Prepare();
+    if (round % 3 == 0) rules.finishes.clear();
+    const Path executed(random() % 2, static_cast<std::uint8_t>(random() % 6));
+    Path path;
+    while (path.size() < 6) {
+      const std::vector<int> listed = rules.AllowedActions(executed, path);
+      for (int action = -1; action <= 6; ++action) {
+        const bool allowed = std::count(listed.begin(), listed.end(), action) > 0;
+        EXPECT_EQ(rules.Allowed(executed, path, action), allowed)
+            << ToString(path) << " then " << action << ", round " << round;
+      }
+      EXPECT_TRUE(rules.Legal(executed, path));
+      if (listed.empty()) break;
+      path.push_back(static_cast<std::uint8_t>(listed[random() % listed.size()]));
+    }
   }
 }
 
