@@ -88,6 +88,10 @@ void AddServiceOptions(CLI::App& app, ExecutiveOptions& options) {
                  "how long to wait for services")
       ->check(CLI::Range(0, 3600000))
       ->capture_default_str();
+  app.add_option("--scene-timeout-ms", options.scene_timeout_ms,
+                 "ms to wait for the scene to stand before the camera")
+      ->check(CLI::Range(0, 3600000))
+      ->capture_default_str();
 }
 
 ExitCode CodeOf(const EpisodeRecord& record) {

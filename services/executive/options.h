@@ -22,6 +22,7 @@ struct ExecutiveOptions {
   int workers = 1;                ///< planner workers to wait for before the first search
   std::string weights_hash;       ///< 16 hexadecimal digits; empty: whatever the first server holds
   int services_timeout_ms = 15000;  ///< how long to wait for services to appear
+  int scene_timeout_ms = 10000;     ///< and then for the scene to stand before the camera
   std::string out;                  ///< folder for results; empty: none are written
 };
 

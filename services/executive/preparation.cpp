@@ -8,7 +8,6 @@
 namespace prospect::services {
 namespace {
 
-constexpr std::int64_t kSceneTimeoutMs = 10000;
 constexpr std::int64_t kLookTimeoutMs = 5000;
 
 bool Searches(const ExecutiveOptions& options) { return options.policy == "search"; }
@@ -54,6 +53,12 @@ bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
          (options.objects == 0 || objects == options.objects);
 }
 
+std::string Seconds(int milliseconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g s", milliseconds / 1000.0);
+  return text;
+}
+
 // Why no picture counts, and what to do.
 std::string CameraAdvice(Conversation& talk) {
   const std::string defects = talk.view().PictureDefects();
@@ -85,16 +90,18 @@ void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
 void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
   if (!options.reset) {
     talk.view().FollowAny();
-    if (talk.Until([&] { return talk.view().latest().has_value(); }, kSceneTimeoutMs)) return;
-    throw ExitError(kExitTimeout, "no OBSERVATION within 10 s: " + CameraAdvice(talk));
+    if (talk.Until([&] { return talk.view().latest().has_value(); }, options.scene_timeout_ms))
+      return;
+    throw ExitError(kExitTimeout, "no OBSERVATION within " + Seconds(options.scene_timeout_ms) +
+                                      ": " + CameraAdvice(talk));
   }
   talk.view().Follow(options.seed);
   const sim_command_t command = ResetCommand(talk, options);
-  if (talk.Until([&] { return SceneStands(talk, options); }, kSceneTimeoutMs,
+  if (talk.Until([&] { return SceneStands(talk, options); }, options.scene_timeout_ms,
                  [&] { talk.Say(command); }))
     return;
-  const std::string what =
-      "the simulator did not put up scene " + std::to_string(options.seed) + " within 10 s: ";
+  const std::string what = "the simulator did not put up scene " + std::to_string(options.seed) +
+                           " within " + Seconds(options.scene_timeout_ms) + ": ";
   throw ExitError(kExitTimeout, what + (talk.view().PictureDefects().empty()
                                             ? "its log says why (objects or legs out of range?)"
                                             : CameraAdvice(talk)));

@@ -94,7 +94,7 @@ prospect-simulator >simulator.log 2>&1 &
 prospect-model-server --weights scripted:7 >model.log 2>&1 &
 prospect-worker >worker.log 2>&1 &
 prospect-bus wait --services simulator=1,model=1,worker=1 --seconds 20 >/dev/null 2>&1 || exit 1
-episode=(prospect-executive --seed 1500000 --policy plan:0 --log-level off)
+episode=(prospect-executive --seed 1500000 --policy plan:0 --log-level off --scene-timeout-ms 60000)
 fill
 expect 13 'disk/out' "${episode[@]}" --out "$disk/out"
 room
@@ -111,7 +111,7 @@ room
 expect 13 'the recording has ended: .*No space left' "$root/prospect" record -q "$disk/run.lcmlog"
 lcm-logger -q -f run.lcmlog >/dev/null 2>&1 &
 logger=$!
-prospect-executive --seed 4711 --policy collect >collect.log 2>&1
+prospect-executive --seed 4711 --policy collect --scene-timeout-ms 60000 >collect.log 2>&1
 kill -INT "$logger" && wait "$logger" 2>/dev/null
 fill
 expect 13 'disk/trials.h5' prospect-from-log run.lcmlog --out "$disk/trials.h5"
