@@ -19,6 +19,11 @@ void Require(bool holds, const std::string& what) {
 
 }  // namespace
 
+bool GoalRules::Met(std::uint8_t facts) const {
+  return std::all_of(required.begin(), required.end(),
+                     [facts](std::uint8_t mask) { return (mask & facts) != 0; });
+}
+
 bool TaskRules::Complete(const Path& executed, const Path& path) const {
   return static_cast<int>(executed.size() + path.size()) >= plan_length;
 }
@@ -41,6 +46,61 @@ void TaskRules::Prepare() {
     }
     finishes.push_back(now);
   }
+  PrepareGoal();
+}
+
+// The same backwards as for `finishes`, for each set of facts apart.
+void TaskRules::PrepareGoal() {
+  brings_about.clear();
+  if (goal.empty()) return;
+  const int sets = 1 << goal.num_facts;
+  for (int steps = 0; steps < plan_length; ++steps) {
+    std::vector<bool> now;
+    for (int action = 0; action < num_actions; ++action) {
+      const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
+      for (int facts = 0; facts < sets; ++facts) {
+        const auto held = static_cast<std::uint8_t>(facts);
+        const auto leads = [&](int a) {
+          return BringsAbout(action, a, held, static_cast<std::size_t>(plan_length - steps));
+        };
+        now.push_back(steps == 0 ? finishes[0][static_cast<std::size_t>(action)] && goal.Met(held)
+                                 : std::any_of(next.begin(), next.end(), leads));
+      }
+    }
+    brings_about.push_back(std::move(now));
+  }
+}
+
+std::uint8_t TaskRules::Apply(int previous, int action, std::uint8_t facts) const {
+  const GoalRules::Effect& effect =
+      goal.effects.at(static_cast<std::size_t>(previous * num_actions + action));
+  return static_cast<std::uint8_t>((facts & ~effect.clears) | effect.sets);
+}
+
+// The facts that hold after `executed` and the first `length` actions of `path`. Makes no lists.
+std::uint8_t TaskRules::FactsAfter(const Path& executed, const Path& path,
+                                   std::size_t length) const {
+  std::uint8_t facts = 0;
+  int previous = num_actions;
+  const auto carry_out = [&](int action) {
+    facts = Apply(previous, action, facts);
+    previous = action;
+  };
+  std::for_each(executed.begin(), executed.end(), carry_out);
+  std::for_each_n(path.begin(), length, carry_out);
+  return facts;
+}
+
+// Whether `action` as number `steps` of a plan (from 0), after `previous` and with `facts` before
+// it, leads to an end with the goal met.
+bool TaskRules::BringsAbout(int previous, int action, std::uint8_t facts, std::size_t steps) const {
+  const auto after = static_cast<std::size_t>(action) << goal.num_facts;
+  return brings_about[static_cast<std::size_t>(plan_length) - steps - 1]
+                     [after | Apply(previous, action, facts)];
+}
+
+bool TaskRules::GoalMet(const Path& executed, const Path& path) const {
+  return goal.empty() || goal.Met(FactsAfter(executed, path, path.size()));
 }
 
 bool TaskRules::Allowed(const Path& executed, const Path& path, int action) const {
@@ -62,6 +122,9 @@ bool TaskRules::AllowedAfter(const Path& executed, const Path& path, std::size_t
     return !repeats_allowed && (Contains(executed, a) || std::find(path.begin(), end, a) != end);
   };
   if (!Contains(row, action) || taken(action)) return false;
+  if (!brings_about.empty()) {
+    return BringsAbout(latest, action, FactsAfter(executed, path, length), steps);
+  }
   if (finishes.empty()) return true;
   const std::vector<bool>& ends = finishes.at(static_cast<std::size_t>(plan_length) - steps - 1);
   const auto leads_to_an_end = [&](int a) {
@@ -74,6 +137,15 @@ bool TaskRules::AllowedAfter(const Path& executed, const Path& path, std::size_t
 std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
   std::vector<int> actions = Following(executed, path);
   if (actions.empty() || finishes.empty()) return actions;
+  if (!brings_about.empty()) {
+    const std::uint8_t facts = FactsAfter(executed, path, path.size());
+    const std::size_t steps = executed.size() + path.size();
+    const Path& latest = path.empty() ? executed : path;
+    const int previous = latest.empty() ? num_actions : latest.back();
+    const auto fails = [&](int action) { return !BringsAbout(previous, action, facts, steps); };
+    actions.erase(std::remove_if(actions.begin(), actions.end(), fails), actions.end());
+    return actions;
+  }
   const std::vector<bool>& ends =
       finishes.at(static_cast<std::size_t>(plan_length) - executed.size() - path.size() - 1);
   const auto leads_nowhere = [&](int action) { return !ends[static_cast<std::size_t>(action)]; };
@@ -117,6 +189,11 @@ void TaskRules::Validate() const {
       Require(action >= 0 && action < num_actions, "successors name an action that does not exist");
     }
   }
+  if (goal.empty()) return;
+  Require(goal.num_facts >= 1 && goal.num_facts <= GoalRules::kMaxFacts,
+          "goal.num_facts must be 1 to 8");
+  Require(goal.effects.size() == static_cast<std::size_t>((num_actions + 1) * num_actions),
+          "goal.effects needs one entry for each action after each and after none");
 }
 
 TaskRules AnyOrder(int num_actions, int plan_length, bool repeats_allowed) {

@@ -4,11 +4,34 @@
 // member functions are safe from any thread.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "planner/path.h"
 
 namespace prospect::planner {
+
+// What a plan must bring about, as facts that actions set and clear: a handful, so that those that
+// hold are the bits of a byte.
+struct GoalRules {
+  static constexpr int kMaxFacts = 8;
+
+  struct Effect {
+    std::uint8_t sets = 0;    // facts that hold once the action was carried out
+    std::uint8_t clears = 0;  // facts that no longer hold then
+  };
+
+  int num_facts = 0;
+  // [previous * num_actions + action]: what `action` does directly after `previous` (num_actions:
+  // when it comes first).
+  std::vector<Effect> effects;
+  // The goal is met while at least one fact of each of these masks holds.
+  std::vector<std::uint8_t> required;
+
+  // No goal: nothing is asked.
+  bool empty() const { return required.empty(); }
+  bool Met(std::uint8_t facts) const;
+};
 
 struct TaskRules {
   // Number of actions, 1 to kMaxActions; actions are 0 to num_actions - 1.
@@ -24,11 +47,18 @@ struct TaskRules {
   // [r][a]: whether a plan can end r actions after a. Filled by Prepare(); empty: any action ends a
   // plan.
   std::vector<std::vector<bool>> finishes;
+  // What a plan must bring about beyond that; empty: nothing. See SetGoal in goal.h.
+  GoalRules goal;
+  // [r][a << goal.num_facts | facts]: whether a plan can end r actions after a with the goal met,
+  // when `facts` hold after a. Filled by Prepare() where there is a goal.
+  std::vector<std::vector<bool>> brings_about;
 
   // To be called when the fields above are set and whenever they change. A plan ends with an action
   // after which one begins anew: whatever may follow it may also come first, as when an arm is back
   // home. Where a plan of plan_length actions can still end so, only what leads there is allowed;
-  // where it cannot (an action failed in the middle), anything the table allows.
+  // where it cannot (an action failed in the middle), anything the table allows. With a goal there
+  // is no such leniency: only what leads to an end with the goal met is allowed (where repeats are
+  // not, as far as the table alone can tell).
   void Prepare();
 
   // `executed`: actions already carried out before this root, oldest first. `path`: actions
@@ -45,10 +75,17 @@ struct TaskRules {
   // True when every action of `path`, taken in turn, is allowed.
   bool Legal(const Path& executed, const Path& path) const;
 
+  // Whether executed and path, in turn, brought the goal about. True where there is none.
+  bool GoalMet(const Path& executed, const Path& path) const;
+
   // Throws std::invalid_argument naming the field that is wrong and the range it must have.
   void Validate() const;
 
  private:
+  void PrepareGoal();
+  std::uint8_t Apply(int previous, int action, std::uint8_t facts) const;
+  std::uint8_t FactsAfter(const Path& executed, const Path& path, std::size_t length) const;
+  bool BringsAbout(int previous, int action, std::uint8_t facts, std::size_t steps) const;
   bool AllowedAfter(const Path& executed, const Path& path, std::size_t length, int action) const;
   std::vector<int> Following(const Path& executed, const Path& path) const;
 };

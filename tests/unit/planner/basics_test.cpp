@@ -162,6 +162,84 @@ TEST(TaskRules, DecidesWhatItLists) {
   }
 }
 
+// Facts that random transitions set and clear, of which some must hold at the end.
+void AddRandomGoal(std::mt19937& random, TaskRules* rules) {
+  GoalRules& goal = rules->goal;
+  goal.num_facts = 1 + static_cast<int>(random() % 4);
+  const unsigned facts = (1u << goal.num_facts) - 1;
+  const auto bits = [&] { return static_cast<std::uint8_t>(random() & random() & facts); };
+  for (int i = 0; i < rules->num_actions * (rules->num_actions + 1); ++i)
+    goal.effects.push_back({bits(), bits()});
+  for (unsigned n = 1 + random() % 2; n > 0; --n)
+    goal.required.push_back(static_cast<std::uint8_t>(1 + random() % facts));
+  rules->Prepare();
+}
+
+// Whether a plan of the table can go on from here to an end with the goal met, by trying.
+bool CanBringAbout(const TaskRules& rules, const Path& path) {
+  if (rules.Complete({}, path)) return rules.finishes[0][path.back()] && rules.GoalMet({}, path);
+  const int latest = path.empty() ? rules.num_actions : path.back();
+  for (const int action : rules.successors[static_cast<std::size_t>(latest)]) {
+    const bool taken = std::count(path.begin(), path.end(), action) > 0;
+    Path longer = path;
+    longer.push_back(static_cast<std::uint8_t>(action));
+    if ((rules.repeats_allowed || !taken) && CanBringAbout(rules, longer)) return true;
+  }
+  return false;
+}
+
+// Whether `action` is a step of the table after `path`, one that leads to a plan with the goal.
+bool ShouldBeAllowed(const TaskRules& rules, const Path& path, int action) {
+  const int latest = path.empty() ? rules.num_actions : path.back();
+  const auto& row = rules.successors[static_cast<std::size_t>(latest)];
+  const bool taken = std::count(path.begin(), path.end(), action) > 0;
+  if (std::count(row.begin(), row.end(), action) == 0) return false;
+  Path longer = path;
+  longer.push_back(static_cast<std::uint8_t>(action));
+  return (rules.repeats_allowed || !taken) && CanBringAbout(rules, longer);
+}
+
+TaskRules RandomRulesWithGoal(std::mt19937& random, int round) {
+  TaskRules rules = AnyOrder(5, 1 + round % 5, round % 3 != 0);
+  for (auto& row : rules.successors) {
+    row.erase(std::remove_if(row.begin(), row.end(), [&](int) { return random() % 3 == 0; }),
+              row.end());
+  }
+  AddRandomGoal(random, &rules);
+  return rules;
+}
+
+// On random tables and goals: allowed is what leads to a plan with the goal, and where repeats are
+// not, at least that.
+TEST(TaskRules, AllowsWhatLeadsToTheGoal) {
+  std::mt19937 random(11);
+  int allowed_steps = 0, refused_steps = 0, plans = 0;
+  for (int round = 0; round < 600; ++round) {
+    const TaskRules rules = RandomRulesWithGoal(random, round);
+    Path path;
+    while (!rules.Complete({}, path)) {
+      const std::vector<int> listed = rules.AllowedActions({}, path);
+      for (int action = -1; action <= 5; ++action) {
+        const bool allowed = std::count(listed.begin(), listed.end(), action) > 0;
+        const bool should = ShouldBeAllowed(rules, path, action);
+        EXPECT_EQ(rules.Allowed({}, path, action), allowed);
+        EXPECT_TRUE(should ? allowed : !allowed || !rules.repeats_allowed)
+            << ToString(path) << " then " << action << ", round " << round;
+        ++(allowed ? allowed_steps : refused_steps);
+      }
+      if (listed.empty()) break;
+      path.push_back(static_cast<std::uint8_t>(listed[random() % listed.size()]));
+      EXPECT_TRUE(rules.Legal({}, path));
+      EXPECT_TRUE(rules.Legal({path.front()}, Path(path.begin() + 1, path.end())));
+    }
+    plans += rules.Complete({}, path);
+    EXPECT_TRUE(!rules.Complete({}, path) || rules.GoalMet({}, path)) << ToString(path);
+  }
+  EXPECT_GT(allowed_steps, 500);
+  EXPECT_GT(refused_steps, 500);
+  EXPECT_GT(plans, 200);
+}
+
 TEST(TaskRules, ValidateNamesTheFault) {
   TaskRules rules = AnyOrder(3, 2);
   rules.successors.pop_back();
@@ -169,6 +247,11 @@ TEST(TaskRules, ValidateNamesTheFault) {
   rules = AnyOrder(3, 2);
   rules.successors[0].push_back(3);
   EXPECT_THROW(rules.Validate(), std::invalid_argument);
+  rules = AnyOrder(3, 2);
+  rules.goal.required = {1};
+  EXPECT_THROW(rules.Validate(), std::invalid_argument) << "a goal without facts";
+  rules.goal.num_facts = 1;
+  EXPECT_THROW(rules.Prepare(), std::invalid_argument) << "and without effects";
   EXPECT_THROW(AnyOrder(3, 33), std::invalid_argument);
   EXPECT_THROW(AnyOrder(0, 2), std::invalid_argument);
 }

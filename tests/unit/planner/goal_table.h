@@ -1,0 +1,45 @@
+// Small tables for tests of goals: stacking in short, where a plan picks a block and puts it on
+// another, and visits in any order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/goal.h"
+
+namespace prospect::planner {
+
+inline const std::vector<std::string>& GoalNames() {
+  static const std::vector<std::string> names = {"red", "green", "blue"};
+  return names;
+}
+
+// Actions 0 to 2 pick a block, 3 to 5 put it on one, 6 to 8 go home; after putting it down one may
+// pick again.
+inline std::vector<ActionWords> PickAndPutWords() {
+  std::vector<ActionWords> words;
+  for (const char* kind : {"pick", "put", "home"}) {
+    for (const std::string& name : GoalNames()) words.push_back({kind, name});
+  }
+  return words;
+}
+
+inline TaskRules PickAndPut(int plan_length) {
+  TaskRules rules;
+  rules.num_actions = 9;
+  rules.plan_length = plan_length;
+  rules.repeats_allowed = true;
+  rules.successors = {{4, 5},       {3, 5},    {3, 4},    {0, 1, 2, 6}, {0, 1, 2, 7},
+                      {0, 1, 2, 8}, {0, 1, 2}, {0, 1, 2}, {0, 1, 2},    {0, 1, 2}};
+  rules.Prepare();
+  return rules;
+}
+
+inline std::vector<ActionWords> VisitWords(int count) {
+  std::vector<ActionWords> words;
+  for (int i = 0; i < count; ++i)
+    words.push_back({"investigate", std::string(1, static_cast<char>('a' + i))});
+  return words;
+}
+
+}  // namespace prospect::planner
