@@ -20,6 +20,7 @@ constexpr char kForms[] =
     "on(red,*) or visited(barrel,pylon)";
 // From the bus, too, where anybody may ask for anything.
 constexpr std::size_t kMostAtoms = 32;
+constexpr std::size_t kMostQuoted = 80;
 
 bool IsOpen(const std::string& argument) { return argument == kOpen; }
 
@@ -27,6 +28,10 @@ std::string Listed(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text.empty() ? "none" : text;
+}
+
+std::string Short(const std::string& text) {
+  return text.size() > kMostQuoted ? text.substr(0, kMostQuoted) + "..." : text;
 }
 
 class Parser {
@@ -41,7 +46,7 @@ class Parser {
 
  private:
   [[noreturn]] void Fail(const std::string& what) const {
-    throw std::invalid_argument("'" + text_ + "' is no goal, " + what + ": " + kForms);
+    throw std::invalid_argument("'" + Short(text_) + "' is no goal, " + what + ": " + kForms);
   }
 
   char Now() const { return at_ < text_.size() ? text_[at_] : '\0'; }
@@ -78,14 +83,14 @@ class Parser {
     const std::string word = Word();
     if (word.empty()) Fail("a name is missing");
     if (word == "*" || word == "_") return kOpen;
-    if (word.find('*') != std::string::npos) Fail("'" + word + "' is no name");
+    if (word.find('*') != std::string::npos) Fail("'" + Short(word) + "' is no name");
     return word;
   }
 
   void ParseTerm() {
     const std::string predicate = Word();
     if (predicate != kOn && predicate != kVisited)
-      Fail(predicate.empty() ? "a word is missing" : "there is no '" + predicate + "'");
+      Fail(predicate.empty() ? "a word is missing" : "there is no '" + Short(predicate) + "'");
     Expect('(');
     std::vector<std::string> arguments{Argument()};
     while (Now() == ',') ++at_, arguments.push_back(Argument());

@@ -18,6 +18,16 @@ void Append(const std::vector<std::int32_t>& indices, std::string* text) {
   *text += ';';
 }
 
+std::vector<planner::GoalAtom> GoalOf(const search_root_t& root) {
+  std::string text;
+  for (const auto& goal : root.goals) text += goal + ' ';
+  try {
+    return planner::ParseGoal(text);
+  } catch (const std::invalid_argument& error) {
+    throw planner::GoalError(error.what());
+  }
+}
+
 std::vector<int> Checked(const std::vector<std::int32_t>& indices, int num_actions) {
   for (const auto index : indices) {
     if (index < 0 || index >= num_actions) {
@@ -53,6 +63,18 @@ planner::TaskRules RulesFromTask(const task_t& task) {
     rules.successors.push_back(Checked(action.successors, task.num_actions));
   }
   rules.successors.push_back(Checked(task.initial, task.num_actions));
+  return rules;
+}
+
+std::vector<planner::ActionWords> WordsFromTask(const task_t& task) {
+  std::vector<planner::ActionWords> words;
+  for (const auto& action : task.actions) words.push_back({action.kind, action.object});
+  return words;
+}
+
+planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
+  planner::TaskRules rules = RulesFromTask(task);
+  if (!root.goals.empty()) planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
   return rules;
 }
 

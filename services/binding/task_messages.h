@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lcmtypes/messages.h"
+#include "planner/goal.h"
 #include "planner/task_rules.h"
 
 namespace prospect::services {
@@ -18,5 +20,12 @@ std::int64_t TaskHash(const task_t& task);
 /// `successors` (the start) comes from `initial`. Throws std::runtime_error when an index lies
 /// outside the table; messages that passed ValidateMessage never do.
 planner::TaskRules RulesFromTask(const task_t& task);
+
+/// The table's words, for goals: kind and object of each action.
+std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
+
+/// The rules of one search: the task's, and the goal of its SEARCH_ROOT (prepared then). Throws as
+/// RulesFromTask, and planner::GoalError when the goal is no goal or not one of this task.
+planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root);
 
 }  // namespace prospect::services

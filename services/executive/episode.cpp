@@ -90,14 +90,23 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
 }
 
 Episode::Episode(Conversation& talk, const ExecutiveOptions& options)
-    : talk_(talk), options_(options), session_(talk), predictions_(talk), actions_(talk) {
+    : talk_(talk),
+      options_(options),
+      goal_(options.goal),
+      session_(talk),
+      predictions_(talk),
+      actions_(talk) {
+  record_.goal = goal_.Atoms();
   record_.seed = options_.seed;
   record_.policy = options_.policy;
 }
 
 EpisodeRecord Episode::Run() {
   Prepare();
-  if (options_.policy == "search") {
+  const std::string defect = goal_.Defect(*talk_.view().task(), talk_.view().label());
+  if (!defect.empty()) {
+    Verdict("refused", "the goal cannot be brought about: " + defect);
+  } else if (options_.policy == "search") {
     RunSearchPolicy();
   } else if (options_.policy == "collect" || options_.policy == "expert") {
     talk_.Until([&] { return talk_.view().label().has_value(); }, 3000);
@@ -160,6 +169,8 @@ SearchQuestion Episode::MakeQuestion() const {
   root.executed.assign(executed_.begin(), executed_.end());
   root.num_executed = static_cast<std::int32_t>(root.executed.size());
   root.time_left = -1;
+  root.goals = goal_.Atoms();
+  root.num_goals = static_cast<std::int32_t>(root.goals.size());
   root.leaves = options_.leaves;
 
   planner::SearchParameters parameters = options_.search;
@@ -332,7 +343,8 @@ bool Episode::GoesOn(const action_status_t& status) {
     Verdict("failed", InWords(status.reason));
   } else if (status.outcome == label_t::OUTCOME_SUCCESS ||
              (complete && status.outcome == label_t::OUTCOME_UNKNOWN)) {
-    Verdict("solved", "");
+    const bool reached = goal_.Reached(*talk_.view().task(), executed_);
+    Verdict(reached ? "solved" : "failed", reached ? "" : "goal not reached");
   } else if (complete && options_.policy == "search") {
     Verdict("stopped", "the plan was carried out and the task is not complete");
   } else {

@@ -7,6 +7,7 @@
 
 #include "services/executive/action_runner.h"
 #include "services/executive/conversation.h"
+#include "services/executive/episode_goal.h"
 #include "services/executive/episode_record.h"
 #include "services/executive/options.h"
 #include "services/executive/predictions.h"
@@ -21,9 +22,11 @@ namespace prospect::services {
 /// outlive it.
 class Episode {
  public:
+  /// Throws std::invalid_argument when options.goal is no goal.
   Episode(Conversation& talk, const ExecutiveOptions& options);
 
-  /// Runs to the end. Throws ExitError when services are missing or fall silent, or after a stop
+  /// Runs to the end. A goal that the task or the scene cannot have is refused before anything is
+  /// searched. Throws ExitError when services are missing or fall silent, or after a stop
   /// signal.
   EpisodeRecord Run();
 
@@ -51,6 +54,7 @@ class Episode {
 
   Conversation& talk_;
   ExecutiveOptions options_;
+  EpisodeGoal goal_;
   SearchSession session_;
   PredictionInbox predictions_;
   ActionRunner actions_;

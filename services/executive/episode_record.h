@@ -71,6 +71,7 @@ struct EpisodeRecord {
   std::string task;
   std::int64_t seed = 0;
   std::string policy;
+  std::vector<std::string> goal;  // atoms; none: the task's own
   int objects = 0;
   int plan_length = 0;
   std::string weights;  // hash, hexadecimal

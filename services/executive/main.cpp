@@ -33,6 +33,9 @@ void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
       ->check(CLI::Range(0, 32))
       ->capture_default_str();
   app.add_flag("!--no-reset", options.reset, "take the scene as it is, as on a robot");
+  app.add_option("--goal", options.goal,
+                 "what is to hold in the end, such as \"on(red,blue)\", \"on(red,*)\" or "
+                 "\"visited(barrel,pylon)\"; without: the task's own goal");
   app.add_option("--policy", options.policy,
                  "search; plan:0,2,1 carries these actions out; collect carries a random plan out")
       ->capture_default_str();
@@ -94,6 +97,14 @@ void AddServiceOptions(CLI::App& app, ExecutiveOptions& options) {
       ->capture_default_str();
 }
 
+// Empty: none was given, or it can be read.
+std::string GoalDefect(const CLI::App& app, const std::string& goal) try {
+  if (app.count("--goal") > 0) prospect::planner::ParseGoal(goal);
+  return "";
+} catch (const std::invalid_argument& error) {
+  return error.what();
+}
+
 ExitCode CodeOf(const EpisodeRecord& record) {
   if (record.outcome == "solved") return kExitSuccess;
   return record.outcome == "refused" ? kExitRefusal : kExitTaskFailure;
@@ -153,6 +164,8 @@ int Run(int argc, char** argv) {
     app.parse(argc, argv);
     const std::string defect = PolicyDefect(options.policy);
     if (!defect.empty()) throw CLI::ValidationError("--policy", defect);
+    const std::string no_goal = GoalDefect(app, options.goal);
+    if (!no_goal.empty()) throw CLI::ValidationError("--goal", no_goal);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }

@@ -14,6 +14,7 @@ struct ExecutiveOptions {
   int legs = 0;                      ///< actions in a complete plan; 0: as the simulator stands
   bool reset = true;                 ///< false: take the scene as it is, as on a robot
   std::string policy = "search";     ///< "search", "plan:0,1,2", or "collect"
+  std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
   planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
   double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
   int leaves = 2;                 ///< evaluations a worker may have in flight

@@ -110,6 +110,7 @@ std::string PlanTable(const EpisodeRecord& record) {
       "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
   for (const auto& row : TableRows(record)) text += FormatRow(row);
   text += VerdictSentence(record) + '\n';
+  for (const auto& atom : record.goal) text += "Goal: " + atom + ".\n";
   if (record.searches.empty()) return text;
   std::int64_t rollouts = 0, evaluations = 0;
   for (const auto& search : record.searches)
@@ -127,6 +128,7 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   json result = {{"task", record.task},
                  {"seed", record.seed},
                  {"policy", record.policy},
+                 {"goal", record.goal},
                  {"objects", record.objects},
                  {"plan_length", record.plan_length},
                  {"weights_hash", record.weights},

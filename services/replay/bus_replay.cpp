@@ -56,7 +56,7 @@ class BusLogReader {
     ReplayedSearch fresh;
     try {
       fresh.search =
-          std::make_unique<SharedSearch>(root, RulesFromTask(*task_), kObserver, 0, now_us_);
+          std::make_unique<SharedSearch>(root, RulesOfSearch(*task_, root), kObserver, 0, now_us_);
     } catch (const std::exception&) {
       return;  // the workers refused it, too
     }

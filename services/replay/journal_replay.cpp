@@ -46,7 +46,7 @@ class JournalReader {
   void Begin(const journal_entry_t& entry) {
     const auto root = MessageOf<search_root_t>(entry);
     if (!root || !task_) return Differ(entry, "a search without root or task");
-    search_ = std::make_unique<SharedSearch>(*root, RulesFromTask(*task_), entry.writer,
+    search_ = std::make_unique<SharedSearch>(*root, RulesOfSearch(*task_, *root), entry.writer,
                                              entry.worker_index, entry.steady_us);
     window_ = RequestWindow(entry.writer);
     window_.Begin(*root);

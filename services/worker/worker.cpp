@@ -76,13 +76,13 @@ void Worker::Begin(const search_root_t& root, std::int64_t now_ms) {
   if (shared_) rollouts_before_ += shared_->search().rollouts();
   shared_.reset();
   try {
-    shared_ = std::make_unique<SharedSearch>(root, RulesFromTask(*task_), health_.instance_id(),
-                                             static_cast<int>(options_.index), now_ms * 1000);
+    shared_ =
+        std::make_unique<SharedSearch>(root, RulesOfSearch(*task_, root), health_.instance_id(),
+                                       static_cast<int>(options_.index), now_ms * 1000);
+  } catch (const planner::GoalError& error) {
+    return Refuse(root, "goals", error.what());
   } catch (const std::exception& error) {
-    bus_.CountRefused(ChannelOf<search_root_t>(), "parameters");
-    spdlog::warn("search {} refused: {}", root.search_id, error.what());
-    stopped_searches_.insert(root.search_id);
-    return;
+    return Refuse(root, "parameters", error.what());
   }
   if (journal_) journal_->Begun(root, now_ms * 1000);
   window_.Begin(root, now_ms);
@@ -93,6 +93,12 @@ void Worker::Begin(const search_root_t& root, std::int64_t now_ms) {
   statistics_due_.Hurry();
   health_.SetState(health_t::STATE_BUSY);
   spdlog::debug("search {} epoch {} begins", root.search_id, root.epoch);
+}
+
+void Worker::Refuse(const search_root_t& root, const char* reason, const char* what) {
+  bus_.CountRefused(ChannelOf<search_root_t>(), reason);
+  spdlog::warn("search {} refused: {}", root.search_id, what);
+  stopped_searches_.insert(root.search_id);
 }
 
 void Worker::OnStop(const search_stop_t& stop) {

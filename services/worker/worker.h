@@ -55,6 +55,7 @@ class Worker {
 
   bool Wanted(const search_root_t& root, std::int64_t now_ms) const;
   void Begin(const search_root_t& root, std::int64_t now_ms);
+  void Refuse(const search_root_t& root, const char* reason, const char* what);
   void Close(const char* why);
   void Advance();
   void SpreadWork(std::int64_t now_ms);

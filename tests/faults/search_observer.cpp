@@ -20,7 +20,7 @@ SearchObserver::SearchObserver(services::Bus& bus) {
 
 void SearchObserver::OnRoot(const search_root_t& root) {
   if (!task_ || (search_ && search_->Concerns(root.search_id, root.epoch))) return;
-  search_ = std::make_unique<services::SharedSearch>(root, services::RulesFromTask(*task_),
+  search_ = std::make_unique<services::SharedSearch>(root, services::RulesOfSearch(*task_, root),
                                                      services::RandomId(), 0, SteadyMs() * 1000);
   all_.clear();
   by_writer_.clear();

@@ -96,7 +96,9 @@ TEST(ParseGoal, NamesTheFaultAndWhatIsAllowed) {
 TEST(ParseGoal, GivesUpOnWhatNobodyMeans) {
   std::string long_goal;
   for (int i = 0; i < 1000; ++i) long_goal += "visited(a" + std::to_string(i) + ") ";
-  EXPECT_THROW(ParseGoal(long_goal), std::invalid_argument);
+  EXPECT_LT(ErrorOf<std::invalid_argument>([&] { ParseGoal(long_goal); }).size(), 400u);
+  long_goal = std::string(100000, 'a');
+  EXPECT_LT(ErrorOf<std::invalid_argument>([&] { ParseGoal(long_goal); }).size(), 400u);
   std::mt19937 random(3);
   const std::string letters = "on(visted*_,;) \t\xff\x80";
   for (int round = 0; round < 20000; ++round) {

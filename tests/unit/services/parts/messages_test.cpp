@@ -110,6 +110,39 @@ TEST(TaskMessages, RulesFollowTheTable) {
   EXPECT_TRUE(rules.Complete({1}, {0}));
 }
 
+search_root_t RootWith(const std::vector<std::string>& goals) {
+  search_root_t root{};
+  root.goals = goals;
+  root.num_goals = static_cast<std::int32_t>(goals.size());
+  return root;
+}
+
+TEST(TaskMessages, TheGoalOfASearchNarrowsItsRules) {
+  task_t task = SmallTask();
+  task.initial = {0};
+  task.plan_length = 1;
+  for (auto& action : task.actions) action.kind = "investigate";
+  task.actions[0].object = "barrel";
+  task.actions[1].object = "pylon";
+  EXPECT_EQ(RulesOfSearch(task, RootWith({})).AllowedActions({}, {}), (std::vector<int>{0}));
+  EXPECT_TRUE(RulesOfSearch(task, RootWith({})).finishes.empty()) << "as the task's own";
+  task.initial = {0, 1};
+  EXPECT_EQ(RulesOfSearch(task, RootWith({"visited(pylon)"})).AllowedActions({}, {}),
+            (std::vector<int>{1}));
+  task.plan_length = 2;
+  const auto both = RulesOfSearch(task, RootWith({"visited(pylon)", "visited(barrel)"}));
+  EXPECT_EQ(both.AllowedActions({}, {}), (std::vector<int>{0, 1}));
+  EXPECT_TRUE(both.GoalMet({1}, {0}));
+}
+
+TEST(TaskMessages, NonsenseGoalsAreRefused) {
+  const task_t task = SmallTask();
+  for (const char* goal : {"", "visited(", "on(a,b)", "visited(nobody)", "\xff\x01", "on(*,*)"})
+    EXPECT_THROW(RulesOfSearch(task, RootWith({goal})), planner::GoalError) << goal;
+  EXPECT_THROW(RulesOfSearch(task, RootWith(std::vector<std::string>(10000, "visited(a)"))),
+               planner::GoalError);
+}
+
 TEST(TaskMessages, HashTellsPlanLengthsApartAndNotTimes) {
   task_t task = SmallTask();
   const auto hash = TaskHash(task);
