@@ -5,14 +5,19 @@ add_library(prospect_crew_search STATIC ${CMAKE_CURRENT_SOURCE_DIR}/evaluate/cre
 prospect_target(prospect_crew_search)
 target_link_libraries(prospect_crew_search PUBLIC prospect_planner)
 
-if(NOT TARGET prospect_sim OR NOT TARGET prospect_model OR NOT TARGET prospect_planner)
+if(NOT TARGET prospect_sim OR NOT TARGET prospect_training OR NOT TARGET prospect_planner)
   return()
 endif()
 set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/decider.cpp ${evaluate}/engine_model.cpp ${evaluate}/episode.cpp
+  ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_scores.cpp
   ${evaluate}/report.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
 prospect_target(prospect_evaluate_lib)
-target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_planner prospect_crew_search prospect_tools_common)
+target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_training prospect_planner prospect_crew_search
+  prospect_tools_common prospect_tools_guarded)
 add_executable(prospect-evaluate ${evaluate}/main.cpp)
 prospect_target(prospect-evaluate)
 target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_weights)
+add_executable(prospect-evaluate-plans ${evaluate}/plans_main.cpp)
+prospect_target(prospect-evaluate-plans)
+target_link_libraries(prospect-evaluate-plans PRIVATE prospect_evaluate_lib prospect_weights)

@@ -24,12 +24,14 @@ class EngineModel : public planner::ModelSource {
   planner::Evaluation Evaluate(const planner::Path& path) override;
   std::vector<planner::Evaluation> EvaluateBatch(const std::vector<planner::Path>& paths) override;
 
+  // All of what the networks say of the node that `path` leads to, its hidden state included. Valid
+  // until SetRoot.
+  const model::Prediction& Predict(const planner::Path& path);
+
   // Networks' answers asked for since the last SetRoot.
   std::int64_t evaluations() const { return evaluations_; }
 
  private:
-  const model::Prediction& Predict(const planner::Path& path);
-
   model::Engine* engine_;
   model::Hidden h0_;
   model::Hidden root_;

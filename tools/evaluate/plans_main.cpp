@@ -1,0 +1,145 @@
+// prospect-evaluate-plans: does the model know which plans work? All plans of unseen scenes are
+// scored by the networks and each is really carried out many times. Needs no bus.
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "model/engine.h"
+#include "model/weights.h"
+#include "sim/task_factory.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/guarded.h"
+#include "tools/common/json_file.h"
+#include "tools/common/progress.h"
+#include "tools/evaluate/plan_outcomes.h"
+#include "tools/evaluate/plan_scores.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string task = "navigation";
+  std::string weights, json_file, outcomes;
+  std::uint64_t seed = 2'000'000;
+  int scenes = 20, runs = 10, most = 50, jobs = 2;
+  sim::TaskOptions world;
+};
+
+void AddOptions(CLI::App* app, Options* o) {
+  app->add_flag("--plans", "This program: plans instead of closed loops");
+  app->add_option("--task", o->task, "Task")->capture_default_str();
+  app->add_option("--weights", o->weights, "Weights file")->required();
+  app->add_option("--scenes", o->scenes, "Scenes")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app->add_option("--seed", o->seed,
+                  "First scene; models are compared and chosen on 1000000 to 1499999, reported on "
+                  "2000000 and up")
+      ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+  app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
+      ->capture_default_str();
+  app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
+  app->add_option("--runs", o->runs,
+                  "Times that each plan is carried out, and as often again for the ceiling")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_option("--most-plans", o->most, "Of more legal plans, so many are drawn")
+      ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
+  app->add_option("--outcomes", o->outcomes,
+                  "File that keeps how plans fared; empty: under $PROSPECT_DATA/plans");
+  app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
+}
+
+class Bench {
+ public:
+  explicit Bench(const Options& options)
+      : options_(options),
+        task_(sim::MakeTask(options.task, options.world)),
+        engine_(model::LoadTorchEngine(options.weights, 1)),
+        file_(options.outcomes.empty()
+                  ? OutcomePath(task_->spec(), options.world, options.runs, options.most)
+                  : options.outcomes) {}
+
+  PlanScene Run(std::uint64_t seed) {
+    return ScorePlans(*task_, *engine_, seed, options_.world.image_noise, Outcomes(seed),
+                      options_.runs);
+  }
+
+ private:
+  std::vector<PlanOutcome> Outcomes(std::uint64_t seed) {
+    if (const auto* known = file_.Find(seed)) return *known;
+    task_->Reset(seed);
+    const auto outcomes =
+        CarryOut(*task_, seed, LegalPlans(*task_, seed, options_.most), options_.runs);
+    file_.Store(seed, outcomes);
+    return outcomes;
+  }
+
+  Options options_;
+  std::unique_ptr<sim::Task> task_;
+  std::unique_ptr<model::Engine> engine_;
+  OutcomeFile file_;
+};
+
+void CheckInputs(const Options& options) {
+  sim::MakeTask(options.task, options.world);
+  const std::string made_for =
+      model::ReadWeights(options.weights).metadata.value("task", std::string());
+  if (made_for == options.task) return;
+  throw model::WeightsError(options.weights + ": was trained for task '" + made_for +
+                            "', not for '" + options.task + "': give --weights of that task");
+}
+
+std::vector<PlanScene> RunScenes(const Options& options) {
+  std::vector<PlanScene> scenes(static_cast<std::size_t>(options.scenes));
+  Progress progress("scenes", options.scenes);
+  ForkMap(
+      options.scenes, options.jobs,
+      [&]() {
+        auto bench = std::make_shared<Bench>(options);
+        return [bench, &options](int i) {
+          return bench->Run(options.seed + static_cast<std::uint64_t>(i)).dump();
+        };
+      },
+      [&](int i, const std::string& line) {
+        scenes[static_cast<std::size_t>(i)] = json::parse(line);
+        progress.Step();
+      });
+  return scenes;
+}
+
+int Main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Scores all plans of unseen scenes and carries each out many times");
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  CheckInputs(options);
+  const std::vector<PlanScene> scenes = RunScenes(options);
+  json summary = SummarisePlans(scenes);
+  std::cout << PlanTable(summary);
+  if (options.json_file.empty()) return 0;
+  summary["task"] = options.task;
+  summary["first_seed"] = options.seed;
+  summary["runs"] = options.runs;
+  summary["records"] = scenes;
+  WriteJsonFile(options.json_file, summary, 1);
+  return 0;
+}
+
+}  // namespace
+}  // namespace prospect::tools
+
+int main(int argc, char** argv) {
+  return prospect::tools::Guarded("prospect-evaluate-plans",
+                                  [&] { return prospect::tools::Main(argc, argv); });
+}
