@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <set>
+#include <stdexcept>
 
 #include "services/binding/search_messages.h"
 #include "services/executive/policy.h"
@@ -134,6 +135,7 @@ void Episode::Prepare() {
   AwaitServices(talk_, options_);
   talk_.HoldWorld();
   AddSeconds("services", since);
+  NameWhatIf();
   since = Clock::now();
   PrepareScene(talk_, options_);
   first_ = latest_ = Look(talk_, 0);
@@ -207,19 +209,21 @@ std::vector<planner::Future> Episode::OtherFirstActions(const planner::Plan& pla
 void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
   const auto since = Clock::now();
   const auto others = OtherFirstActions(plan);
-  std::vector<planner::Path> wanted;
+  const bool first = record_.searches.empty() && record_.explanation;
+  std::set<planner::Path> wanted;
+  if (first) wanted = StatesShown(*record_.explanation);
   for (std::size_t n = 1; n <= plan.best.path.size(); ++n) {
-    wanted.emplace_back(plan.best.path.begin(),
-                        plan.best.path.begin() + static_cast<std::ptrdiff_t>(n));
+    wanted.emplace(plan.best.path.begin(), plan.best.path.begin() + static_cast<std::ptrdiff_t>(n));
   }
   // An action that p rules out was never imagined, so there is nothing to show.
   const auto imagined = [](const planner::Future& future) {
     return future.path.size() > 1 || future.rejection != planner::Rejection::kNotPermitted;
   };
   for (const auto& future : others) {
-    if (imagined(future)) wanted.push_back({future.path.front()});
+    if (imagined(future)) wanted.insert({future.path.front()});
   }
-  auto pictures = predictions_.Fetch(session_.root(), wanted);
+  auto pictures = predictions_.Fetch(session_.root(), {wanted.begin(), wanted.end()});
+  if (first) SetPictures(pictures, &*record_.explanation);
 
   planner::Path prefix;
   for (const auto& step : plan.best.steps) {
@@ -240,6 +244,47 @@ void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
     record->others.push_back(other);
   }
   AddSeconds("pictures", since);
+}
+
+bool Episode::ToBeExplained() const {
+  return record_.searches.empty() && (options_.explain_only || !options_.out.empty());
+}
+
+// Before anything is searched, so that a wrong name costs no time.
+void Episode::NameWhatIf() {
+  if (options_.what_if.empty()) return;
+  try {
+    std::vector<std::string> names;
+    for (const auto& action : talk_.view().task()->actions) names.push_back(action.name);
+    what_if_ = NamedPlan(options_.what_if, names);
+  } catch (const std::invalid_argument& error) {
+    throw ExitError(kExitUsage, std::string("--what-if: ") + error.what());
+  }
+}
+
+void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& record) {
+  const planner::Search& search = session_.search();
+  PlanContext context{search.rules(), search.parameters(), search.executed(), {}};
+  for (const auto& action : talk_.view().task()->actions) context.names.push_back(action.name);
+  Explanation explanation = Explain(answer.plan, context);
+  explanation.task = record_.task;
+  explanation.seed = record_.seed;
+  explanation.weights = record_.weights;
+  explanation.engine = record_.engine;
+  explanation.seen = record_.first;
+  explanation.ended_by = record.ended_by;
+  explanation.rollouts = record.rollouts;
+  explanation.evaluations = record.evaluations;
+  explanation.workers = record.workers;
+  explanation.seconds = record.seconds;
+  if (!what_if_.empty()) {
+    std::vector<planner::Path> beginnings;
+    for (std::size_t length = 0; length <= AllowedSteps(what_if_, context); ++length)
+      beginnings.emplace_back(what_if_.begin(),
+                              what_if_.begin() + static_cast<std::ptrdiff_t>(length));
+    explanation.what_if = JudgePlan(what_if_, session_.Evaluate(beginnings), answer.plan, context);
+  }
+  record_.explanation = std::move(explanation);
 }
 
 SearchRecord Episode::SearchOnce() {
@@ -263,6 +308,7 @@ SearchRecord Episode::SearchOnce() {
   record.converged = answer.converged;
   record.table = HexText(static_cast<std::int64_t>(answer.table));
   record.seconds = answer.seconds;
+  if (ToBeExplained()) AddExplanation(answer, record);
   AddImagined(answer.plan, &record);
   spdlog::info("search {}: {} rollouts, {} evaluations, {:.2f} s; {}", record_.searches.size() + 1,
                record.rollouts, record.evaluations, record.seconds, Summary(answer.plan));
@@ -277,6 +323,7 @@ void Episode::RunSearchPolicy() {
     if (!search.act) {
       return Verdict(record_.acts.empty() ? "refused" : "stopped", search.reason);
     }
+    if (options_.explain_only) return Verdict("explained", "");
     if (!Act(search.steps.front().action)) return;
   }
 }

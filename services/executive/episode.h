@@ -45,6 +45,9 @@ class Episode {
   action_status_t CarryOut(int action);
   bool GoesOn(const action_status_t& status);
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
+  bool ToBeExplained() const;
+  void AddExplanation(const SearchAnswer& answer, const SearchRecord& record);
+  void NameWhatIf();
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
   void PublishPlan(const SearchRecord& record);
   void Conclude();
@@ -63,6 +66,7 @@ class Episode {
   observation_t latest_{};
   model_info_t model_{};
   std::vector<int> executed_;
+  planner::Path what_if_;  // empty: nothing was asked
 };
 
 /// A person's words for why a future was not chosen.

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "services/executive/explanation.h"
 #include "services/executive/picture.h"
 
 namespace prospect::services {
@@ -76,11 +78,13 @@ struct EpisodeRecord {
   int plan_length = 0;
   std::string weights;  // hash, hexadecimal
   std::string engine;
-  std::string outcome;                 // "solved", "refused", "stopped", "failed"
+  // "solved", "refused", "stopped", "failed"; "explained": a plan was found, and not carried out
+  std::string outcome;
   std::string reason;                  // empty when solved
   Picture first;                       // what the camera saw at the start
   std::vector<SearchRecord> searches;  // one before each action, under policy "search"
   std::vector<ActRecord> acts;
+  std::optional<Explanation> explanation;       // of the first search, where it was asked for
   std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"
   std::vector<Picture> frames;    // every picture of the episode that was heard, in order
   double frames_per_second = 10;  // of simulated time

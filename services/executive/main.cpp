@@ -13,6 +13,8 @@
 #include "services/executive/conversation.h"
 #include "services/executive/episode.h"
 #include "services/executive/episode_video.h"
+#include "services/executive/explanation_page.h"
+#include "services/executive/explanation_pictures.h"
 #include "services/executive/options.h"
 #include "services/executive/plan_picture.h"
 #include "services/executive/policy.h"
@@ -40,8 +42,15 @@ void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
                  "search; plan:0,2,1 carries these actions out; collect carries a random plan out")
       ->capture_default_str();
   app.add_option("--out", options.out,
-                 "folder for result.json, plan.png, episode.mp4; none: nothing is written")
+                 "folder for result.json, explain.html, plan.png, episode.mp4; none: nothing is "
+                 "written")
       ->envname("PROSPECT_OUT");
+  auto* explain = app.add_flag("--explain-only", options.explain_only,
+                               "search once, tell why, and carry nothing out");
+  app.add_option("--what-if", options.what_if,
+                 "with --explain-only: names of actions, as in \"align(green),grasp(green)\"; what "
+                 "the model expects of that plan")
+      ->needs(explain);
 }
 
 void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
@@ -106,8 +115,14 @@ std::string GoalDefect(const CLI::App& app, const std::string& goal) try {
 }
 
 ExitCode CodeOf(const EpisodeRecord& record) {
-  if (record.outcome == "solved") return kExitSuccess;
+  if (record.outcome == "solved" || record.outcome == "explained") return kExitSuccess;
   return record.outcome == "refused" ? kExitRefusal : kExitTaskFailure;
+}
+
+void WriteExplanation(const EpisodeRecord& record, const std::string& out) {
+  if (!record.explanation) return;
+  WriteText(out + "/explain.html", ExplanationPage(*record.explanation));
+  WriteExplanationPictures(*record.explanation, out);
 }
 
 void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode code) {
@@ -116,6 +131,8 @@ void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode co
     std::filesystem::create_directories(out);
     WriteText(out + "/result.json", ResultJson(record, code));
     if (record.first.empty()) return;  // it ended before the camera looked
+    WriteExplanation(record, out);
+    if (record.outcome == "explained") return;  // nothing was carried out
     WritePlanPicture(record, out + "/plan.png");
     WriteEpisodeVideo(record, out + "/episode.mp4");
   } catch (const std::exception& error) {
@@ -123,15 +140,19 @@ void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode co
   }
 }
 
-void Tell(const EpisodeRecord& record, const std::string& out, ExitCode code) {
-  if (!record.first.empty()) std::cout << PlanTable(record) << std::flush;
-  WriteFiles(record, out, code);
+void Tell(const EpisodeRecord& record, const ExecutiveOptions& options, ExitCode code) {
+  if (options.explain_only && record.explanation) {
+    std::cout << ExplanationText(*record.explanation) << std::flush;
+  } else if (!record.first.empty()) {
+    std::cout << PlanTable(record) << std::flush;
+  }
+  WriteFiles(record, options.out, code);
 }
 
 // As far as it came, so that result.json is never that of another episode.
-void TellStopped(Episode& episode, const std::string& out, const ExitError& error) {
+void TellStopped(Episode& episode, const ExecutiveOptions& options, const ExitError& error) {
   try {
-    Tell(episode.Stopped(error.what()), out, error.code());
+    Tell(episode.Stopped(error.what()), options, error.code());
   } catch (const ExitError& disk) {
     spdlog::error("{}", disk.what());
   }
@@ -143,10 +164,10 @@ int RunEpisode(Conversation& talk, const ExecutiveOptions& options) {
   try {
     record = episode.Run();
   } catch (const ExitError& error) {
-    TellStopped(episode, options.out, error);
+    TellStopped(episode, options, error);
     throw;
   }
-  Tell(record, options.out, CodeOf(record));
+  Tell(record, options, CodeOf(record));
   return CodeOf(record);
 }
 
@@ -166,6 +187,8 @@ int Run(int argc, char** argv) {
     if (!defect.empty()) throw CLI::ValidationError("--policy", defect);
     const std::string no_goal = GoalDefect(app, options.goal);
     if (!no_goal.empty()) throw CLI::ValidationError("--goal", no_goal);
+    if (options.explain_only && options.policy != "search")
+      throw CLI::ValidationError("--explain-only", "needs --policy search");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }

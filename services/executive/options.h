@@ -24,7 +24,9 @@ struct ExecutiveOptions {
   std::string weights_hash;       ///< 16 hexadecimal digits; empty: whatever the first server holds
   int services_timeout_ms = 15000;  ///< how long to wait for services to appear
   int scene_timeout_ms = 10000;     ///< and then for the scene to stand before the camera
-  std::string out;                  ///< folder for results; empty: none are written
+  bool explain_only = false;        ///< searches once, tells why, and carries nothing out
+  std::string what_if;  ///< names of actions; what the model expects of them is told, too
+  std::string out;      ///< folder for results; empty: none are written
 };
 
 }  // namespace prospect::services

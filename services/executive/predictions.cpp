@@ -8,6 +8,7 @@ namespace prospect::services {
 namespace {
 
 constexpr std::int64_t kTimeoutMs = 3000;
+constexpr std::int64_t kEachMs = 50;
 constexpr std::int64_t kRepeatMs = 250;
 
 }  // namespace
@@ -50,7 +51,8 @@ std::map<planner::Path, Picture> PredictionInbox::Fetch(const search_root_t& roo
     }
     ++attempt;
   };
-  if (!talk_.Until([this] { return awaited_.empty(); }, kTimeoutMs, ask, kRepeatMs)) {
+  const std::int64_t timeout_ms = kTimeoutMs + kEachMs * static_cast<std::int64_t>(paths.size());
+  if (!talk_.Until([this] { return awaited_.empty(); }, timeout_ms, ask, kRepeatMs)) {
     spdlog::warn("{} of {} predicted pictures did not come", awaited_.size(), paths.size());
   }
   return pictures_;

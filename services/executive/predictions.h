@@ -17,8 +17,8 @@ class PredictionInbox {
   explicit PredictionInbox(Conversation& talk);
 
   /// What the world would look like after each of `paths` from the root of `root`'s search
-  /// (PREDICT_REQUEST, repeated until answered). A picture that does not come within 3 s is missing
-  /// from the map: it decorates the answer and decides nothing.
+  /// (PREDICT_REQUEST, repeated until answered). A picture that does not come within 3 s, and 50 ms
+  /// more for each picture, is missing from the map: it decorates the answer and decides nothing.
   std::map<planner::Path, Picture> Fetch(const search_root_t& root,
                                          const std::vector<planner::Path>& paths);
 

@@ -49,6 +49,25 @@ json SearchJson(const SearchRecord& search) {
   return result;
 }
 
+json WhatIfJson(const WhatIf& what_if) {
+  json result = {{"findings", what_if.findings},
+                 {"steps", json::array()},
+                 {"forbidden_step", what_if.forbidden},
+                 {"given_up_at_step", what_if.plan.given_up},
+                 {"score", what_if.plan.score}};
+  for (const auto& step : what_if.plan.steps) {
+    json shown = {{"name", step.name}, {"imagined", step.imagined}};
+    if (step.imagined) {
+      shown["V"] = step.value;
+      shown["f"] = step.done;
+      shown["p"] = step.prior;
+      shown["score"] = step.score;
+    }
+    result["steps"].push_back(shown);
+  }
+  return result;
+}
+
 json ActJson(const ActRecord& act) {
   return {{"action", act.action},
           {"name", act.name},
@@ -101,6 +120,7 @@ std::string VerdictSentence(const EpisodeRecord& record) {
   const std::string steps = std::to_string(record.acts.size());
   if (record.outcome == "solved") return "Solved: all " + steps + " actions succeeded.";
   if (record.outcome == "refused") return "Refused, nothing was done: " + record.reason;
+  if (record.outcome == "explained") return "A plan was found; nothing was carried out.";
   if (record.outcome == "stopped") return "Stopped after " + steps + " actions: " + record.reason;
   return "Failed: " + record.reason;
 }
@@ -110,7 +130,9 @@ std::string PlanTable(const EpisodeRecord& record) {
       "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
   for (const auto& row : TableRows(record)) text += FormatRow(row);
   text += VerdictSentence(record) + '\n';
-  for (const auto& atom : record.goal) text += "Goal: " + atom + ".\n";
+  for (const auto& atom : record.goal)
+    text += (&atom == &record.goal.front() ? "Goal: " : ", ") + atom;
+  if (!record.goal.empty()) text += '\n';
   if (record.searches.empty()) return text;
   std::int64_t rollouts = 0, evaluations = 0;
   for (const auto& search : record.searches)
@@ -150,6 +172,8 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   }
   for (const auto& row : TableRows(record)) result["steps"].push_back(StepJson(row));
   for (const auto& search : record.searches) result["searches"].push_back(SearchJson(search));
+  if (record.explanation && record.explanation->what_if)
+    result["what_if"] = WhatIfJson(*record.explanation->what_if);
   return result.dump(2) + '\n';
 }
 

@@ -151,6 +151,40 @@ void SearchSession::FetchMissing() {
     spdlog::warn("some evaluations were never heard");
 }
 
+std::vector<planner::Path> SearchSession::Unknown(const std::vector<planner::Path>& paths) const {
+  const auto& search = shared_->search();
+  std::vector<planner::Path> unknown;
+  for (const auto& path : paths) {
+    const auto id = search.paths().Find(path);
+    if (id == planner::kNoPath || !search.evaluation_table().Has(id)) unknown.push_back(path);
+  }
+  return unknown;
+}
+
+std::map<planner::Path, planner::Evaluation> SearchSession::Evaluate(
+    const std::vector<planner::Path>& paths) {
+  // The search is over, and so may be the time that it had.
+  search_root_t unhurried = root_;
+  unhurried.budget_ms = -1;
+  window_.Begin(unhurried, SteadyMs());
+  const auto ask = [&] {
+    const std::int64_t now_ms = SteadyMs();
+    window_.Ask(Unknown(paths), talk_.view().servers(), now_ms);
+    for (auto& request : window_.TakeDue(talk_.view().servers(), now_ms)) talk_.Say(request);
+  };
+  const auto whole = [&] { return Unknown(paths).empty(); };
+  if (!talk_.Until(whole, kStalledMs, ask, kStopRepeatMs)) {
+    throw ExitError(kExitServiceLost, "the model servers did not evaluate " +
+                                          planner::ToString(Unknown(paths)[0]) +
+                                          " within 10 s; see their logs");
+  }
+  const auto& search = shared_->search();
+  std::map<planner::Path, planner::Evaluation> evaluations;
+  for (const auto& path : paths)
+    evaluations[path] = search.evaluation_table().Get(search.paths().Find(path));
+  return evaluations;
+}
+
 SearchAnswer SearchSession::Collect(std::int64_t started_ms) const {
   const auto& search = shared_->search();
   SearchAnswer answer;

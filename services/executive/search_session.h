@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,14 @@ class SearchSession {
   /// for 10 s, kExitInterrupted after a stop signal; SEARCH_STOP says so on the bus first.
   SearchAnswer Search(const SearchQuestion& question);
 
+  /// What the model servers say of these paths, which the rules must allow, from the root of the
+  /// latest search on (EXPAND_REQUEST, repeated until answered). Throws kExitServiceLost when some
+  /// do not come within 10 s.
+  std::map<planner::Path, planner::Evaluation> Evaluate(const std::vector<planner::Path>& paths);
+
+  /// The latest search as it was heard; there must have been one.
+  const planner::Search& search() const { return shared_->search(); }
+
   /// The root of the latest search: for PREDICT_REQUESTs.
   const search_root_t& root() const { return root_; }
 
@@ -61,6 +70,7 @@ class SearchSession {
   void Stop(const std::string& reason);
   void CloseRound(const std::string& reason);
   void FetchMissing();
+  std::vector<planner::Path> Unknown(const std::vector<planner::Path>& paths) const;
   bool AllFinal() const;
   bool ServersReady() const;
   SearchAnswer Collect(std::int64_t started_ms) const;

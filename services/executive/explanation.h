@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "planner/evaluation.h"
+#include "planner/plan.h"
+#include "planner/search_parameters.h"
+#include "planner/task_rules.h"
+#include "services/executive/picture.h"
+
+namespace prospect::services {
+
+// Why a search answered as it did, for a person: which plan it chose, which others came close and
+// what each lost by, with the numbers it was judged by. Plain data and pure functions of what the
+// search knew; explanation_page.h and explanation_pictures.h show it.
+
+/// One imagined step.
+struct ExplainedStep {
+  int action = -1;
+  std::string name;
+  bool imagined = true;  // false: ruled out before it was imagined, so it has p at most
+  double value = 0;      // V after it
+  double done = 0;       // f
+  double prior = 0;      // p, seen from the state before it; negative: not known
+  double score = 0;      // V here times f of all steps so far
+  Picture picture;       // what the world is expected to look like; empty: could not be had
+};
+
+struct ExplainedPlan {
+  std::vector<ExplainedStep> steps;
+  double score = 0;         // V at the end times f along the path; 0 where the end is not imagined
+  std::int64_t visits = 0;  // rollouts that came to its end
+  bool to_its_end = false;  // followed as far as the search looks
+  int shared = 0;           // leading steps that the chosen plan has, too
+  int given_up = 0;         // the step, from 1, at which it was given up; 0: at none
+  std::string why;          // one sentence or two: what it lost by, with numbers
+};
+
+/// What the model expects of a plan that a person named.
+struct WhatIf {
+  ExplainedPlan plan;
+  int forbidden = 0;  // the step, from 1, that the task's rules forbid; 0: none
+  /// In words: what the search would give it up for, and how it stands against the chosen plan.
+  std::vector<std::string> findings;
+};
+
+struct Explanation {
+  std::string task;
+  std::int64_t seed = 0;
+  std::string weights;  // hash, hexadecimal
+  std::string engine;
+  Picture seen;  // what the camera sees
+
+  bool act = false;
+  std::string reason;     // of a refusal
+  double score = 0;       // of `chosen`
+  double root_value = 0;  // V of the scene as it is
+  int plan_length = 0;    // actions that are left of a whole plan
+  ExplainedPlan chosen;   // the plan; of a refusal the best of the bad ones, which may be empty
+  std::vector<ExplainedPlan> alternatives;  // the best first
+  std::vector<std::string> ruled_out;  // first actions that were never imagined, each with its p
+  std::vector<std::string> untried;    // first actions of which no future was followed to its end
+  std::optional<WhatIf> what_if;
+
+  planner::SearchParameters parameters;  // with the refusal threshold
+  std::string ended_by;
+  std::int64_t rollouts = 0;
+  std::int64_t evaluations = 0;
+  int workers = 0;
+  double seconds = 0;
+};
+
+/// What plans are judged by.
+struct PlanContext {
+  planner::TaskRules rules;
+  planner::SearchParameters parameters;
+  planner::Path executed;          // before the root
+  std::vector<std::string> names;  // of actions, by index
+};
+
+/// The most alternatives that are shown.
+inline constexpr int kAlternatives = 5;
+
+/// The answer and the best that it was chosen over: the best of all, the best of every other first
+/// action, then the best of every other way to part from the chosen plan. Pictures, and what only
+/// the process knows (task, weights, counts), are the caller's to fill in.
+Explanation Explain(const planner::Plan& plan, const PlanContext& context);
+
+/// Why `future` was not chosen, as a sentence or two: where and how far V fell, which f is too low,
+/// what p forbids, by how much it scores less. Numbers that are compared are given with enough
+/// digits to differ.
+std::string WhyLost(const planner::Future& future, const planner::Plan& plan,
+                    const PlanContext& context);
+
+/// The actions in "align(green), grasp(green)". Throws std::invalid_argument that names what is
+/// wrong and the names there are.
+planner::Path NamedPlan(const std::string& text, const std::vector<std::string>& names);
+
+/// Steps of `path` that the task's rules allow: the model can be asked no further.
+std::size_t AllowedSteps(const planner::Path& path, const PlanContext& context);
+
+/// What the model expects of `path`, beside what the search answered.
+/// @param evaluations of the root and of every allowed beginning of `path`
+WhatIf JudgePlan(const planner::Path& path,
+                 const std::map<planner::Path, planner::Evaluation>& evaluations,
+                 const planner::Plan& plan, const PlanContext& context);
+
+/// Every state that has a picture in the explanation, each once.
+std::set<planner::Path> StatesShown(const Explanation& explanation);
+void SetPictures(const std::map<planner::Path, Picture>& pictures, Explanation* explanation);
+
+/// "Act" or "Refuse", with the score and what it is compared with.
+std::string Headline(const Explanation& explanation);
+std::string ScoreSentence(const Explanation& explanation);
+
+/// For a terminal: verdict, chosen plan, the best `most` alternatives and the plan a person named.
+std::string ExplanationText(const Explanation& explanation, int most = 3);
+
+/// Two decimals, or as many as it takes (up to 6) to tell `x` from `other`.
+std::string Apart(double x, double other);
+
+}  // namespace prospect::services
