@@ -1,6 +1,7 @@
 #include "sim/oracle.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "sim/random.h"
@@ -80,13 +81,17 @@ SceneClass Classify(const OracleResult& result) {
   return ever || result.best_successes > 0 ? SceneClass::kDoubtful : SceneClass::kHopeless;
 }
 
+using Reached = std::function<bool(const Task&)>;
+
+bool Anyhow(const Task&) { return true; }
+
 void RunBest(Task& task, const TaskState& start, std::uint64_t scene_seed, int runs,
-             OracleResult* result) {
+             const Reached& reached, OracleResult* result) {
   result->best_runs = runs;
   for (int i = 0; i < runs; ++i) {
     task.SetNoiseSeed(MixSeeds({scene_seed, kBestStream, static_cast<std::uint64_t>(i)}));
     const RolloutResult run = RunPlan(task, result->best_plan, nullptr);
-    result->best_successes += run.outcome == Outcome::kSuccess;
+    result->best_successes += run.outcome == Outcome::kSuccess && reached(task);
     task.Restore(start);
   }
 }
@@ -140,7 +145,26 @@ OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOpt
     if (result.best_plan.empty() || count > successes[result.best_plan]) result.best_plan = plan;
     result.plans.push_back({plan, count});
   }
-  RunBest(task, *start, scene_seed, options.best_runs, &result);
+  RunBest(task, *start, scene_seed, options.best_runs, Anyhow, &result);
+  result.scene_class = Classify(result);
+  return result;
+}
+
+OracleResult NarrowOracle(Task& task, std::uint64_t scene_seed, const OracleResult& all,
+                          const std::function<bool(const std::vector<int>&)>& wanted,
+                          const Reached& reached, const OracleOptions& options) {
+  OracleResult result;
+  result.rounds = all.rounds;
+  result.scene_class = SceneClass::kHopeless;
+  std::copy_if(all.plans.begin(), all.plans.end(), std::back_inserter(result.plans),
+               [&](const PlanCount& plan) { return wanted(plan.plan); });
+  if (result.plans.empty()) return result;
+  const auto fewer = [](const PlanCount& a, const PlanCount& b) {
+    return a.successes < b.successes;
+  };
+  result.best_plan = std::max_element(result.plans.begin(), result.plans.end(), fewer)->plan;
+  const std::unique_ptr<TaskState> start = task.Save();
+  RunBest(task, *start, scene_seed, options.best_runs, reached, &result);
   result.scene_class = Classify(result);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -50,5 +51,15 @@ struct OracleResult {
 // common beginning share it: an action sequence is simulated once a round. `scene_seed` feeds the
 // noise of the rounds and of the fresh runs, all different from the noise of the trial itself.
 OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOptions& options = {});
+
+// The oracle for somebody who wants more than the task does. `all` is what ConsultOracle said of
+// this scene, from the state in which the task is now; it is restored at the end. Of its plans only
+// those that are `wanted` count; the best of them is run best_runs times, with the same noise as
+// ConsultOracle's, and a run counts as a success only when `reached` says so of the task's last
+// state, too. Hopeless where no plan is wanted. `failures` stays empty.
+OracleResult NarrowOracle(Task& task, std::uint64_t scene_seed, const OracleResult& all,
+                          const std::function<bool(const std::vector<int>&)>& wanted,
+                          const std::function<bool(const Task&)>& reached,
+                          const OracleOptions& options = {});
 
 }  // namespace prospect::sim

@@ -93,7 +93,8 @@ OracleCache::OracleCache(OracleKey key, std::string directory) {
                              error.message() + "): set PROSPECT_DATA to a folder you may write to");
   }
   path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
-          std::to_string(key.objects) + "-legs" + std::to_string(key.legs) + ".jsonl";
+          std::to_string(key.objects) + "-legs" + std::to_string(key.legs) +
+          (key.goal.empty() ? "" : "-" + key.goal) + ".jsonl";
   Load();
 }
 

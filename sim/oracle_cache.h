@@ -15,7 +15,8 @@ struct OracleKey {
   std::string task;           // "navigation"
   std::string world_version;  // TaskSpec::world_version
   int objects = 4;
-  int legs = 3;  // actions in a complete plan
+  int legs = 3;        // actions in a complete plan
+  std::string goal{};  // empty: the task's own
 };
 
 // Oracle results on disk, one file of JSON lines a key, one line a scene seed: consulting the

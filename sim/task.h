@@ -155,6 +155,10 @@ class Task {
   // Per action: whether its object is part of this scene.
   virtual std::vector<bool> PresentActions() const = 0;
 
+  // What the world itself says holds now, of what people may want of it: "visited(barrel)",
+  // "on(red,blue)". For verdicts and tests; planning never sees it.
+  virtual std::vector<std::string> Facts() const { return {}; }
+
   // The scale of this trial's light, 0.9 to 1.1.
   virtual double light() const = 0;
 };

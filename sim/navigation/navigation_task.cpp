@@ -326,6 +326,14 @@ std::vector<int> NavigationTask::LegalActions() const {
   return legal;
 }
 
+std::vector<std::string> NavigationTask::Facts() const {
+  std::vector<std::string> facts;
+  for (const ActionSpec& action : spec_.actions) {
+    if (trial_.visited[action.index]) facts.push_back("visited(" + action.object + ")");
+  }
+  return facts;
+}
+
 std::vector<bool> NavigationTask::PresentActions() const {
   std::vector<bool> present(spec_.actions.size(), false);
   for (const PlacedObject& object : scene_.objects) present[object.kind] = true;

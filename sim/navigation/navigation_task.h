@@ -40,6 +40,8 @@ class NavigationTask : public Task {
   void SetNoiseSeed(std::uint64_t noise_seed) override;
   std::vector<int> LegalActions() const override;
   std::vector<bool> PresentActions() const override;
+  // visited(X) of each object investigated.
+  std::vector<std::string> Facts() const override;
   double light() const override { return scene_.light; }
 
   // Builds a given site instead of a drawn one; for tests. `noise_seed` feeds the execution noise.

@@ -24,8 +24,10 @@ class StackingJudge {
   // Blocks in the highest tower that stands still with no hand on it; 1 if none is stacked.
   int TowerHeight(const TabletopWorld& world) const;
 
- private:
+  // Whether block `upper` lies still on block `lower` with no hand on either.
   bool RestsOn(const TabletopWorld& world, int upper, int lower) const;
+
+ private:
   int HeightAbove(const TabletopWorld& world, int base) const;
   StackingVerdict Limits(const TabletopWorld& world) const;
 

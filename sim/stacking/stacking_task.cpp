@@ -293,6 +293,18 @@ std::vector<int> StackingTask::LegalActions() const {
   return spec_.successors[trial_.last_done];
 }
 
+std::vector<std::string> StackingTask::Facts() const {
+  std::vector<std::string> facts;
+  const auto name = [&](int block) { return description_.blocks[block].name; };
+  for (int upper = 0; upper < blocks(); ++upper) {
+    for (int lower = 0; lower < blocks(); ++lower) {
+      if (upper != lower && judge_.RestsOn(world_, upper, lower))
+        facts.push_back("on(" + name(upper) + "," + name(lower) + ")");
+    }
+  }
+  return facts;
+}
+
 std::vector<bool> StackingTask::PresentActions() const {
   return std::vector<bool>(spec_.actions.size(), true);
 }

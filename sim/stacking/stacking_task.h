@@ -41,6 +41,8 @@ class StackingTask : public Task {
   void SetNoiseSeed(std::uint64_t noise_seed) override { trial_.noise_seed = noise_seed; }
   std::vector<int> LegalActions() const override;
   std::vector<bool> PresentActions() const override;
+  // on(X,Y) of each block that rests on another with no hand on either.
+  std::vector<std::string> Facts() const override;
   double light() const override { return scene_.light; }
   std::vector<Landmark> Landmarks() const override;
 

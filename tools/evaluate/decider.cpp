@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace prospect::tools {
 namespace {
@@ -18,6 +19,8 @@ class Nothing : public Decider {
 
 class Random : public Decider {
  public:
+  explicit Random(Goal goal) : goal_(std::move(goal)) {}
+
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
     generator_.seed(scene_seed * 2654435761u + 17);
   }
@@ -25,7 +28,7 @@ class Random : public Decider {
   Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>&,
                   sim::Task& task) override {
     Decision decision;
-    const std::vector<int> allowed = RulesOf(task.spec()).AllowedActions(executed, {});
+    const std::vector<int> allowed = RulesOf(task.spec(), goal_).AllowedActions(executed, {});
     std::vector<int> legal;
     for (const int action : task.LegalActions()) {
       if (std::binary_search(allowed.begin(), allowed.end(), action)) legal.push_back(action);
@@ -35,22 +38,25 @@ class Random : public Decider {
   }
 
  private:
+  Goal goal_;
   std::mt19937_64 generator_;
 };
 
 }  // namespace
 
-planner::TaskRules RulesOf(const sim::TaskSpec& spec) {
+planner::TaskRules RulesOf(const sim::TaskSpec& spec, const Goal& goal) {
   planner::TaskRules rules;
   rules.num_actions = static_cast<int>(spec.actions.size());
   rules.plan_length = spec.plan_length;
   rules.successors = spec.successors;
   rules.repeats_allowed = spec.repeats_allowed;
-  rules.Prepare();
+  std::vector<planner::ActionWords> words;
+  for (const sim::ActionSpec& action : spec.actions) words.push_back({action.kind, action.object});
+  planner::SetGoal(goal, words, &rules);
   return rules;
 }
 
 std::unique_ptr<Decider> MakeNothing() { return std::make_unique<Nothing>(); }
-std::unique_ptr<Decider> MakeRandom() { return std::make_unique<Random>(); }
+std::unique_ptr<Decider> MakeRandom(const Goal& goal) { return std::make_unique<Random>(goal); }
 
 }  // namespace prospect::tools

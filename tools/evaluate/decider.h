@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/goal.h"
 #include "planner/path.h"
 #include "planner/search_parameters.h"
 #include "planner/task_rules.h"
@@ -38,12 +39,16 @@ class Decider {
                           sim::Task& task) = 0;
 };
 
-// Rules of planner/ from a task's table.
-planner::TaskRules RulesOf(const sim::TaskSpec& spec);
+// What is to hold in the end beyond the task's own goal; empty: nothing.
+using Goal = std::vector<planner::GoalAtom>;
+
+// Rules of planner/ from a task's table. Throws planner::GoalError when the task cannot bring the
+// goal about.
+planner::TaskRules RulesOf(const sim::TaskSpec& spec, const Goal& goal = {});
 
 // Never acts.
 std::unique_ptr<Decider> MakeNothing();
-// Uniform over what is legal in the scene.
-std::unique_ptr<Decider> MakeRandom();
+// Uniform over what is legal in the scene and leads to the goal.
+std::unique_ptr<Decider> MakeRandom(const Goal& goal = {});
 
 }  // namespace prospect::tools

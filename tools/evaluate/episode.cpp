@@ -44,8 +44,8 @@ const char* ToString(Ending ending) {
   return "unknown";
 }
 
-EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed,
-                         double image_noise) {
+EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise,
+                         const Goal& goal) {
   task.Reset(seed);
   EpisodeRecord record;
   planner::Path executed;
@@ -73,6 +73,10 @@ EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed,
   record.ending = EndingOf(progress, record);
   if (record.ending == Ending::kFailed) record.reason = progress.reason;
   if (record.ending == Ending::kSolved) record.reason.clear();
+  if (record.ending == Ending::kSolved && !planner::Holds(goal, task.Facts())) {
+    record.ending = Ending::kFailed;
+    record.reason = "goal not reached";
+  }
   return record;
 }
 

@@ -11,10 +11,10 @@ namespace prospect::tools {
 
 // How an episode ended (DESIGN section 6).
 enum class Ending {
-  kSolved,   // the task's success
+  kSolved,   // the task's success, and the goal holds
   kRefused,  // no action was ever begun
   kStopped,  // given up after the first action
-  kFailed,   // the task's failure
+  kFailed,   // the task's failure, or its success without the goal
 };
 const char* ToString(Ending ending);  // "solved", "refused", "stopped", "failed"
 
@@ -31,6 +31,8 @@ struct EpisodeRecord {
 // Runs one closed loop on scene `seed`: reset, look, decide, act, look again, until the trial is
 // over or the decider gives up. Pictures carry sensor noise of standard deviation `image_noise`
 // (share of full scale).
-EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise);
+// The goal is judged by what the world itself says holds in the end (sim::Task::Facts).
+EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise,
+                         const Goal& goal = {});
 
 }  // namespace prospect::tools

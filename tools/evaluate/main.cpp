@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "model/calibration.h"
 #include "model/engine.h"
@@ -33,6 +34,8 @@ struct Options {
   std::string task = "navigation";
   std::string weights;
   std::string json_file;
+  std::string goal_text;
+  Goal goal;  // what goal_text says
   int scenes = 100;
   std::uint64_t seed = 2'000'000;
   sim::TaskOptions world;
@@ -58,6 +61,10 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
       ->capture_default_str();
   app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
+  app->add_option(
+      "--goal", o->goal_text,
+      "What is to hold in the end, such as \"on(red,blue)\" or "
+      "\"visited(barrel,pylon)\", for every row and the oracle; without: the task's own");
   app->add_option("--samples", o->search.samples, "Rollouts a search")->capture_default_str();
   app->add_option("--workers", o->search.workers,
                   "Workers that share each search, inside this process (the rollouts are of all)")
@@ -92,6 +99,11 @@ class Bench {
         engine_(model::LoadTorchEngine(options.weights, 1)),
         cache_({options.task, task_->spec().world_version, options.world.objects,
                 options.world.legs}) {
+    if (!options.goal.empty()) {
+      goal_cache_.emplace(sim::OracleKey{options.task, task_->spec().world_version,
+                                         options.world.objects, options.world.legs,
+                                         planner::ToString(options.goal)});
+    }
     planner::SearchParameters search = options.search;
     search.refusal_threshold =
         options.threshold >= 0 ? options.threshold : engine_->info().refusal_threshold;
@@ -99,7 +111,7 @@ class Bench {
   }
 
   SceneRecord Run(std::uint64_t seed) {
-    const sim::OracleResult oracle = sim::ConsultOracleCached(*task_, seed, cache_);
+    const sim::OracleResult oracle = Consult(seed);
     SceneRecord scene = {{"seed", seed},
                          {"class", sim::ToString(oracle.scene_class)},
                          {"oracle_success", oracle.success_frequency()},
@@ -107,18 +119,37 @@ class Bench {
     task_->Reset(seed);
     scene["solved_at_start"] = task_->progress().outcome == sim::Outcome::kSuccess;
     for (auto& [name, decider] : deciders_) {
-      scene["rows"][name] = ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise));
+      scene["rows"][name] =
+          ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise, options_.goal));
     }
     return scene;
   }
 
  private:
+  // With a goal, what the oracle of the whole task knows is used again.
+  sim::OracleResult Consult(std::uint64_t seed) {
+    const auto known = goal_cache_ ? goal_cache_->Find(seed) : std::nullopt;
+    if (known) return *known;
+    const sim::OracleResult all = sim::ConsultOracleCached(*task_, seed, cache_);
+    if (!goal_cache_) return all;
+    const planner::TaskRules rules = RulesOf(task_->spec(), options_.goal);
+    const sim::OracleResult narrow = sim::NarrowOracle(
+        *task_, seed, all,
+        [&](const std::vector<int>& plan) {
+          return rules.GoalMet({plan.begin(), plan.end()}, {});
+        },
+        [&](const sim::Task& task) { return planner::Holds(options_.goal, task.Facts()); });
+    goal_cache_->Store(seed, narrow);
+    return narrow;
+  }
+
   std::unique_ptr<Decider> Make(const std::string& row, const planner::SearchParameters& search) {
-    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search);
-    if (row == "exhaustive") return MakeLearned(PlanBy::kExhaustive, engine_.get(), search);
-    if (row == "greedy") return MakeLearned(PlanBy::kGreedy, engine_.get(), search);
-    if (row == "simulator_model") return MakeSimulatorModel(search);
-    if (row == "random") return MakeRandom();
+    const Goal& goal = options_.goal;
+    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search, goal);
+    if (row == "exhaustive") return MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal);
+    if (row == "greedy") return MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal);
+    if (row == "simulator_model") return MakeSimulatorModel(search, goal);
+    if (row == "random") return MakeRandom(goal);
     if (row == "nothing") return MakeNothing();
     throw std::logic_error("row " + row + " was checked before");
   }
@@ -134,11 +165,12 @@ class Bench {
   std::unique_ptr<sim::Task> task_;
   std::unique_ptr<model::Engine> engine_;
   sim::OracleCache cache_;
+  std::optional<sim::OracleCache> goal_cache_;
   std::vector<std::pair<std::string, std::unique_ptr<Decider>>> deciders_;
 };
 
-// Refuses what no process could do, before any starts. Throws std::invalid_argument or
-// model::WeightsError.
+// Refuses what no process could do, before any starts. Throws std::invalid_argument,
+// planner::GoalError or model::WeightsError.
 void CheckInputs(const Options& options) {
   const std::vector<std::string> known = Options().rows;
   for (const std::string& row : options.rows) {
@@ -148,7 +180,7 @@ void CheckInputs(const Options& options) {
         "'; known: planner, nothing, random, greedy, exhaustive, simulator_model");
   }
   planner::MakeSelectionRule(options.search.rule, 1, 1);
-  sim::MakeTask(options.task, options.world);
+  RulesOf(sim::MakeTask(options.task, options.world)->spec(), options.goal);
   const std::string made_for =
       model::ReadWeights(options.weights).metadata.value("task", std::string());
   if (made_for == options.task) return;
@@ -174,6 +206,8 @@ std::vector<SceneRecord> RunScenes(const Options& options) {
 
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
 void PrepareCalibration(Options* options) {
+  if (!options->goal.empty())
+    throw std::invalid_argument("--calibrate is for the task's own goal: leave --goal out");
   options->rows = {"planner"};
   options->threshold = 0;
   if (options->seed == 2'000'000) options->seed = 1'500'000;
@@ -208,16 +242,19 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (app.count("--goal") > 0) options.goal = planner::ParseGoal(options.goal_text);
   if (options.calibrate) PrepareCalibration(&options);
   if (options.rows.empty() || options.rows.front() != "planner")
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
   const std::vector<SceneRecord> scenes = RunScenes(options);
   json summary = Summarise(scenes, options.rows);
+  if (!options.goal.empty()) std::cout << "goal: " << planner::ToString(options.goal) << "\n";
   std::cout << Table(summary, options.rows);
   if (options.calibrate) Calibrate(options, scenes);
   if (options.json_file.empty()) return 0;
   summary["task"] = options.task;
+  summary["goal"] = planner::ToString(options.goal);
   summary["first_seed"] = options.seed;
   summary["objects"] = options.world.objects;
   summary["legs"] = options.world.legs;
@@ -241,6 +278,9 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 2;
+  } catch (const prospect::planner::GoalError& error) {
+    std::cerr << "prospect-evaluate: the goal cannot be brought about: " << error.what() << "\n";
+    return 3;
   } catch (const std::exception& error) {
     std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 10;

@@ -52,8 +52,8 @@ Decision SearchWith(const planner::TaskRules& rules, const planner::SearchParame
 
 class Learned : public Decider {
  public:
-  Learned(PlanBy by, model::Engine* engine, const planner::SearchParameters& parameters)
-      : by_(by), parameters_(parameters), model_(engine) {}
+  Learned(PlanBy by, model::Engine* engine, const planner::SearchParameters& parameters, Goal goal)
+      : by_(by), parameters_(parameters), goal_(std::move(goal)), model_(engine) {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>& first) override {
     seed_ = scene_seed;
@@ -62,7 +62,7 @@ class Learned : public Decider {
 
   Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>& latest,
                   sim::Task& task) override {
-    const planner::TaskRules rules = RulesOf(task.spec());
+    const planner::TaskRules rules = RulesOf(task.spec(), goal_);
     model_.SetRoot(latest, executed.empty() ? rules.num_actions : executed.back());
     const planner::SearchParameters parameters = ForRoot(parameters_, rules, executed, seed_);
     if (by_ == PlanBy::kSearch) return SearchWith(rules, parameters, executed, &model_);
@@ -89,13 +89,15 @@ class Learned : public Decider {
 
   PlanBy by_;
   planner::SearchParameters parameters_;
+  Goal goal_;
   EngineModel model_;
   std::uint64_t seed_ = 0;
 };
 
 class WithSimulator : public Decider {
  public:
-  explicit WithSimulator(const planner::SearchParameters& parameters) : parameters_(parameters) {
+  WithSimulator(const planner::SearchParameters& parameters, Goal goal)
+      : parameters_(parameters), goal_(std::move(goal)) {
     parameters_.refusal_threshold = 0.5;  // one imagined run succeeds or fails
   }
 
@@ -105,25 +107,28 @@ class WithSimulator : public Decider {
 
   Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>&,
                   sim::Task& task) override {
-    const planner::TaskRules rules = RulesOf(task.spec());
+    const planner::TaskRules rules = RulesOf(task.spec(), goal_);
     SimulatorModel model(&task, seed_ * 31 + executed.size() + 0x51517);
     return SearchWith(rules, ForRoot(parameters_, rules, executed, seed_), executed, &model);
   }
 
  private:
   planner::SearchParameters parameters_;
+  Goal goal_;
   std::uint64_t seed_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
-                                     const planner::SearchParameters& parameters) {
-  return std::make_unique<Learned>(by, engine, parameters);
+                                     const planner::SearchParameters& parameters,
+                                     const Goal& goal) {
+  return std::make_unique<Learned>(by, engine, parameters, goal);
 }
 
-std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters) {
-  return std::make_unique<WithSimulator>(parameters);
+std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
+                                            const Goal& goal) {
+  return std::make_unique<WithSimulator>(parameters, goal);
 }
 
 }  // namespace prospect::tools

@@ -17,9 +17,11 @@ enum class PlanBy {
 
 // Plans with the learned networks. `engine` outlives the decider.
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
-                                     const planner::SearchParameters& parameters);
+                                     const planner::SearchParameters& parameters,
+                                     const Goal& goal = {});
 
 // Searches with the simulator as its model: perfect imagination, the same number of rollouts.
-std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters);
+std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
+                                            const Goal& goal = {});
 
 }  // namespace prospect::tools

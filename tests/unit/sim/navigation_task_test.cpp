@@ -76,6 +76,8 @@ TEST_F(NavigationTest, ThreeLegsMakeASuccess) {
   const RolloutResult result = RunPlan(task_, {kBarrel, kBarricade, kPylon}, nullptr);
   EXPECT_EQ(result.outcome, Outcome::kSuccess);
   EXPECT_EQ(result.actions_done, 3);
+  EXPECT_EQ(task_.Facts(),
+            (std::vector<std::string>{"visited(barrel)", "visited(barricade)", "visited(pylon)"}));
   EXPECT_EQ(task_.progress().segment, 2);
   EXPECT_EQ(task_.progress().action, kPylon);
   EXPECT_EQ(task_.progress().previous_action, kBarricade);

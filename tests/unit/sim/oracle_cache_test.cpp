@@ -75,7 +75,8 @@ TEST_F(OracleCacheTest, WorldsAndScenesDoNotMix) {
   ConsultOracleCached(task_, 17, cache);
   for (const OracleKey& other :
        {OracleKey{"scripted", "world-2", 4, 3}, OracleKey{"scripted", "world-1", 5, 3},
-        OracleKey{"scripted", "world-1", 4, 4}}) {
+        OracleKey{"scripted", "world-1", 4, 4},
+        OracleKey{"scripted", "world-1", 4, 3, "on(red,*), visited(barrel)"}}) {
     EXPECT_FALSE(OracleCache(other, folder_).Find(17).has_value());
   }
 }

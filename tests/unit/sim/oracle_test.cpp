@@ -88,6 +88,34 @@ TEST(Oracle, LeavesTheTaskAsItWas) {
   EXPECT_EQ(task.LegalActions().size(), 4u);
 }
 
+// Of plans that all succeed only those that end with 2 are wanted, and of their runs only some
+// bring about what is wanted.
+TEST(Oracle, NarrowedToWhatIsWanted) {
+  ScriptedTask task([](const Path& path, std::uint64_t noise) {
+    return path.size() == 3 && path[0] == 0 && noise % 2 ? "luck" : "";
+  });
+  const OracleResult all = ConsultOracle(task, 1);
+  const auto ends_with_two = [](const Path& plan) { return plan.back() == 2; };
+  for (int limit : {10, 7, 6, 0}) {
+    int asked = 0;
+    const auto reached = [&](const Task& at) {
+      EXPECT_EQ(at.progress().action, 2);
+      return asked++ < limit;
+    };
+    const OracleResult narrow = NarrowOracle(task, 1, all, ends_with_two, reached);
+    EXPECT_EQ(asked, 10) << "each success is looked at";
+    EXPECT_EQ(narrow.plans.size(), 6u);
+    EXPECT_EQ(narrow.best_plan, (Path{1, 0, 2})) << "0 first sometimes fails";
+    EXPECT_EQ(narrow.best_successes, limit);
+    EXPECT_EQ(narrow.scene_class, limit >= 7 ? SceneClass::kSolvable : SceneClass::kDoubtful);
+    EXPECT_EQ(task.progress().segment, -1) << "the task is as it was";
+  }
+  const OracleResult none = NarrowOracle(
+      task, 1, all, [](const Path&) { return false; }, [](const Task&) { return true; });
+  EXPECT_EQ(none.scene_class, SceneClass::kHopeless);
+  EXPECT_EQ(none.success_frequency(), 0);
+}
+
 TEST(Oracle, RefusesZeroRounds) {
   ScriptedTask task([](const Path&, std::uint64_t) { return ""; });
   EXPECT_THROW(ConsultOracle(task, 1, {0, 10}), std::invalid_argument);

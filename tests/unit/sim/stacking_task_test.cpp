@@ -95,6 +95,7 @@ TEST(StackingTable, PlansRunThroughTheKindsAndMayTryAgain) {
 TEST(StackingTask, StacksABlockInAnOpenScene) {
   StackingTask task(Quiet());
   task.ResetTo(OpenScene(), 1);
+  EXPECT_TRUE(task.Facts().empty());
   const RolloutResult result = RunPlan(task, Plan(0, 1), nullptr);
   EXPECT_EQ(result.outcome, Outcome::kSuccess) << result.reason;
   EXPECT_EQ(result.actions_done, 9);
@@ -104,6 +105,7 @@ TEST(StackingTask, StacksABlockInAnOpenScene) {
   EXPECT_LT((red - blue).head<2>().norm(), 0.02);
   EXPECT_LT(task.progress().time, 20);
   EXPECT_TRUE(task.LegalActions().empty());
+  EXPECT_EQ(task.Facts(), (std::vector<std::string>{"on(red,blue)"}));
 }
 
 TEST(StackingTask, TouchingTheObstacleEndsTheTrial) {

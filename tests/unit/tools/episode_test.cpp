@@ -53,5 +53,51 @@ TEST(RunEpisode, PerfectImaginationBeatsChance) {
   EXPECT_GE(informed_solved, 10);
 }
 
+// With a goal nobody who keeps to the rules does anything else, and what is solved has the goal.
+TEST(RunEpisode, DecidersKeepToTheGoal) {
+  const auto task = sim::MakeTask("navigation");
+  planner::SearchParameters parameters;
+  parameters.samples = 20;
+  int solved = 0;
+  for (std::uint64_t seed = kFirstScene; seed < kFirstScene + 6; ++seed) {
+    task->Reset(seed);
+    const std::vector<int> there = task->LegalActions();
+    const std::string wanted = task->spec().actions[there.back()].object;
+    const Goal goal = planner::ParseGoal("visited(" + wanted + ")");
+    for (const auto& decider : {MakeRandom(goal), MakeSimulatorModel(parameters, goal)}) {
+      const EpisodeRecord record = RunEpisode(*task, *decider, seed, 0.01, goal);
+      const auto& acts = record.actions;
+      const bool visits = std::count(acts.begin(), acts.end(), there.back()) > 0;
+      EXPECT_TRUE(record.ending != Ending::kSolved || visits) << seed;
+      EXPECT_NE(record.reason, "goal not reached");
+      solved += record.ending == Ending::kSolved;
+    }
+  }
+  EXPECT_GT(solved, 3);
+}
+
+// Who succeeds at the task without the goal has failed.
+TEST(RunEpisode, SuccessWithoutTheGoalIsAFailure) {
+  const auto task = sim::MakeTask("navigation");
+  const auto random = MakeRandom();
+  int solved = 0;
+  for (std::uint64_t seed = kFirstScene; seed < kFirstScene + 20 && solved < 2; ++seed) {
+    const EpisodeRecord free = RunEpisode(*task, *random, seed, 0.01);
+    if (free.ending != Ending::kSolved) continue;
+    ++solved;
+    std::string missed;
+    for (const sim::ActionSpec& action : task->spec().actions) {
+      const auto& acts = free.actions;
+      if (std::count(acts.begin(), acts.end(), action.index) == 0) missed = action.object;
+    }
+    const EpisodeRecord bound =
+        RunEpisode(*task, *random, seed, 0.01, planner::ParseGoal("visited(" + missed + ")"));
+    EXPECT_EQ(bound.actions, free.actions);
+    EXPECT_EQ(bound.ending, Ending::kFailed);
+    EXPECT_EQ(bound.reason, "goal not reached");
+  }
+  EXPECT_GT(solved, 0);
+}
+
 }  // namespace
 }  // namespace prospect::tools
