@@ -99,6 +99,33 @@ TEST(Goals, ImpossibleOnesAreRefusedBeforeAnythingIsSearched) {
   EXPECT_TRUE(witness.commands.empty());
 }
 
+// Plans given by hand leave the goal out: those that the simulator calls a success are none.
+TEST(Goals, SuccessWithoutTheGoalIsAFailure) {
+  Witness witness;
+  Deployment deployment("goal_missed");
+  deployment.Simulator();
+  ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 10000));
+  int successes = 0;
+  for (const char* plan : {"plan:0,1,2", "plan:2,3,1", "plan:4,0,3", "plan:5,2,4", "plan:1,4,5",
+                           "plan:3,5,0", "plan:4,2,1", "plan:5,3,1"}) {
+    witness.labels.clear();
+    EXPECT_EQ(EndOf(witness, deployment.Executive({"--policy", plan, "--goal", "visited(cabin)"})),
+              4);
+    const auto result = deployment.Result();
+    EXPECT_EQ(result.at("outcome"), "failed");
+    if (result.at("reason") != "goal not reached") continue;
+    EXPECT_EQ(result.at("actions").size(), 3u);
+    EXPECT_TRUE(witness.Until(
+        [&] {
+          return !witness.labels.empty() &&
+                 witness.labels.rbegin()->second.outcome == label_t::OUTCOME_SUCCESS;
+        },
+        10000));
+    if (++successes == 2) return;
+  }
+  EXPECT_GT(successes, 0) << "take another seed, at which one of the plans succeeds";
+}
+
 TEST(Goals, MalformedOnesAreUsageErrors) {
   Witness witness;
   Deployment deployment("goal_malformed");
