@@ -187,18 +187,18 @@ json RunArms(const std::vector<Arm>& arms, int first_seed, int seeds, int thread
 }
 
 void PrintArms(const json& rows) {
-  std::printf("%-36s %8s %10s %9s %6s %7s %8s %21s %21s %6s %6s %6s %s\n", "arm", "rollouts",
+  std::printf("%-36s %8s %10s %9s %6s %7s %8s %21s %21s %6s %7s %6s %6s %s\n", "arm", "rollouts",
               "rollouts/s", "evals/s", "batch", "optimal", "regret", "optimal to the first",
-              "regret to the first", "B/roll", "fresh", "exact", "bottleneck");
+              "regret to the first", "B/roll", "us/roll", "fresh", "exact", "bottleneck");
   for (const json& row : rows) {
-    std::printf("%-36s %8.1f %10.1f %9.1f %6.2f %7.3f %8.5f %21s %21s %6.1f %6.3f %6.3f %s\n",
+    std::printf("%-36s %8.1f %10.1f %9.1f %6.2f %7.3f %8.5f %21s %21s %6.1f %7.1f %6.3f %6.3f %s\n",
                 row["arm"].get<std::string>().c_str(), row["rollouts"].get<double>(),
                 row["rollouts_per_s"].get<double>(), row["evaluations_per_s"].get<double>(),
                 row["mean_batch"].get<double>(), row["optimal_rate"].get<double>(),
                 row["regret"].get<double>(), Ratio(row["optimal_rate_against_first"]).c_str(),
                 Ratio(row["regret_against_first"]).c_str(), row["bytes_per_rollout"].get<double>(),
-                row["fresh"].get<double>(), row["exact_rate"].get<double>(),
-                row["bottleneck"].get<std::string>().c_str());
+                row["statistics_us_per_rollout"].get<double>(), row["fresh"].get<double>(),
+                row["exact_rate"].get<double>(), row["bottleneck"].get<std::string>().c_str());
   }
 }
 
@@ -213,6 +213,7 @@ std::string ArmsAsCsv(const json& rows) {
                                             "optimal_rate",
                                             "regret",
                                             "bytes_per_rollout",
+                                            "statistics_us_per_rollout",
                                             "fresh",
                                             "exact_rate",
                                             "server_busy",
