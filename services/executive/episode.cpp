@@ -107,6 +107,7 @@ EpisodeRecord Episode::Run() {
   const std::string defect = goal_.Defect(*talk_.view().task(), talk_.view().label());
   if (!defect.empty()) {
     Verdict("refused", "the goal cannot be brought about: " + defect);
+    ExplainUnsearched(record_.reason);
   } else if (options_.policy == "search") {
     RunSearchPolicy();
   } else if (options_.policy == "collect" || options_.policy == "expert") {
@@ -262,16 +263,30 @@ void Episode::NameWhatIf() {
   }
 }
 
+void Episode::NameScene(Explanation* explanation) const {
+  explanation->task = record_.task;
+  explanation->seed = record_.seed;
+  explanation->weights = record_.weights;
+  explanation->engine = record_.engine;
+  explanation->goal = record_.goal;
+  explanation->seen = record_.first;
+}
+
+// Refused without a search.
+void Episode::ExplainUnsearched(const std::string& reason) {
+  if (!ToBeExplained()) return;
+  Explanation explanation;
+  explanation.reason = reason;
+  NameScene(&explanation);
+  record_.explanation = std::move(explanation);
+}
+
 void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& record) {
   const planner::Search& search = session_.search();
   PlanContext context{search.rules(), search.parameters(), search.executed(), {}};
   for (const auto& action : talk_.view().task()->actions) context.names.push_back(action.name);
   Explanation explanation = Explain(answer.plan, context);
-  explanation.task = record_.task;
-  explanation.seed = record_.seed;
-  explanation.weights = record_.weights;
-  explanation.engine = record_.engine;
-  explanation.seen = record_.first;
+  NameScene(&explanation);
   explanation.ended_by = record.ended_by;
   explanation.rollouts = record.rollouts;
   explanation.evaluations = record.evaluations;

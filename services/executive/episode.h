@@ -47,6 +47,8 @@ class Episode {
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
   bool ToBeExplained() const;
   void AddExplanation(const SearchAnswer& answer, const SearchRecord& record);
+  void ExplainUnsearched(const std::string& reason);
+  void NameScene(Explanation* explanation) const;
   void NameWhatIf();
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
   void PublishPlan(const SearchRecord& record);

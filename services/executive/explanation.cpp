@@ -16,6 +16,7 @@ using planner::PlanStep;
 using planner::Rejection;
 
 constexpr int kFewestDigits = 2, kMostDigits = 6;
+constexpr int kDigitsOfP = 3;
 
 std::string Fixed(double x, int digits = kFewestDigits) {
   char text[48];
@@ -107,8 +108,9 @@ std::string WhyNotDone(double done, std::size_t number, int action, const PlanCo
 std::string WhyNotPermitted(double prior, std::size_t number, int action,
                             const PlanContext& context) {
   const double limit = context.parameters.p_min;
-  return "p forbids " + Step(number, action, context) + ": p is " + Apart(prior, limit) +
-         ", below " + Apart(limit, prior) + ".";
+  const int digits = std::max(kDigitsOfP, Digits(prior, limit));
+  return "p forbids " + Step(number, action, context) + ": p is " + Fixed(prior, digits) +
+         ", below " + Fixed(limit, digits) + ".";
 }
 
 double DoneAlong(const std::vector<PlanStep>& steps) {
@@ -279,7 +281,7 @@ void NameTheRest(const Plan& plan, const PlanContext& context, Explanation* expl
     if (!NeverImagined(candidate)) continue;
     const PlanStep& step = candidate.future->steps.back();
     explanation->ruled_out.push_back(NameOf(step.action, context) + " (p " +
-                                     Apart(step.prior, context.parameters.p_min) + ")");
+                                     Fixed(step.prior, kDigitsOfP) + ")");
   }
   for (const int action : context.rules.AllowedActions(context.executed, {})) {
     if (heard.count(action) == 0) explanation->untried.push_back(NameOf(action, context));
@@ -318,7 +320,9 @@ std::vector<std::string> Names(const std::vector<int>& actions, const PlanContex
 // Why the rules forbid the step at `index` of `path`, and what they allow in its place.
 std::string WhyForbidden(const Path& path, std::size_t index, const PlanContext& context) {
   const Path before(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(index));
-  std::string text = "The task's rules forbid " + Step(index + 1, path[index], context) + ": ";
+  const char* forbidden = context.rules.goal.empty() ? "The task's rules forbid "
+                                                     : "The task's rules and the goal forbid ";
+  std::string text = forbidden + Step(index + 1, path[index], context) + ": ";
   if (context.rules.Complete(context.executed, before)) {
     return text + "the plan is complete before it.";
   }
@@ -326,7 +330,7 @@ std::string WhyForbidden(const Path& path, std::size_t index, const PlanContext&
     return std::find(list.begin(), list.end(), path[index]) != list.end();
   };
   if (!context.rules.repeats_allowed && (taken(before) || taken(context.executed)))
-    text += "it was taken before. ";
+    text += "it was taken before; ";
   const auto allowed = Names(context.rules.AllowedActions(context.executed, before), context);
   return text + (allowed.empty() ? "nothing may follow there."
                                  : "allowed there: " + Listed(allowed) + ".");

@@ -54,7 +54,8 @@ struct Explanation {
   std::int64_t seed = 0;
   std::string weights;  // hash, hexadecimal
   std::string engine;
-  Picture seen;  // what the camera sees
+  std::vector<std::string> goal;  // atoms; none: the task's own goal
+  Picture seen;                   // what the camera sees
 
   bool act = false;
   std::string reason;     // of a refusal
@@ -68,7 +69,7 @@ struct Explanation {
   std::optional<WhatIf> what_if;
 
   planner::SearchParameters parameters;  // with the refusal threshold
-  std::string ended_by;
+  std::string ended_by;                  // empty: refused before anything was searched
   std::int64_t rollouts = 0;
   std::int64_t evaluations = 0;
   int workers = 0;

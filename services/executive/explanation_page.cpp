@@ -121,6 +121,12 @@ std::string Steps(const ExplainedPlan& plan) {
   return Element("ol", "class=\"steps\"", "\n" + items) + "\n";
 }
 
+std::string Joined(const std::vector<std::string>& items) {
+  std::string text;
+  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
 std::string Verdict(const Explanation& explanation) {
   const double score = explanation.score, threshold = explanation.parameters.refusal_threshold;
   std::string words =
@@ -129,6 +135,7 @@ std::string Verdict(const Explanation& explanation) {
       Element("h1", explanation.act ? "class=\"act\"" : "class=\"refuse\"",
               Escaped(Headline(explanation))) +
       "\n" + Paragraph(ScoreSentence(explanation));
+  if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
   if (!explanation.act && !explanation.chosen.steps.empty() && threshold > 0) {
     words += Paragraph("The best that was imagined scores " + Apart(score, threshold) +
                        "; plans below " + Apart(threshold, score) + " are refused.");
@@ -188,13 +195,8 @@ std::string Alternative(const ExplainedPlan& plan, int number) {
          Steps(plan);
 }
 
-std::string Joined(const std::vector<std::string>& items) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 std::string Others(const Explanation& explanation) {
+  if (explanation.ended_by.empty()) return "";
   std::string text = Heading(explanation.act ? "The best alternatives, and why each lost"
                                              : "What else was imagined, and why it fails");
   if (explanation.alternatives.empty()) text += Paragraph("Nothing else was imagined to its end.");
@@ -227,6 +229,7 @@ std::string Ending(const std::string& ended_by) {
 
 std::string HowTheSearchWent(const Explanation& explanation) {
   const auto& limits = explanation.parameters;
+  if (explanation.ended_by.empty()) return Heading("Nothing was searched");
   std::string rows =
       Row("Rollouts", std::to_string(explanation.rollouts) + " of " +
                           std::to_string(limits.samples) + Ending(explanation.ended_by)) +
