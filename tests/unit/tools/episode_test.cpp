@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/task_factory.h"
+#include "tools/evaluate/plan_outcomes.h"
 #include "tools/evaluate/search_deciders.h"
 
 namespace prospect::tools {
@@ -32,6 +33,24 @@ TEST(RunEpisode, RandomIsRepeatableAndNeverIllegal) {
     EXPECT_TRUE(a.ending == Ending::kSolved || a.ending == Ending::kFailed);
     EXPECT_NE(a.reason, "illegal action");
     EXPECT_EQ(a.ending == Ending::kSolved, a.reason.empty());
+  }
+}
+
+// Not any possible action at each step: those would be second tries mostly, and lead nowhere.
+TEST(RunEpisode, RandomIsABeginningOfALegalPlan) {
+  const auto task = sim::MakeTask("stacking");
+  const auto random = MakeRandom();
+  for (std::uint64_t seed = kFirstScene; seed < kFirstScene + 4; ++seed) {
+    const EpisodeRecord record = RunEpisode(*task, *random, seed, 0.01);
+    task->Reset(seed);
+    const auto plans = LegalPlans(*task, seed, 1000);
+    const bool begins_one = std::any_of(plans.begin(), plans.end(), [&](const planner::Path& plan) {
+      return record.actions.size() <= plan.size() &&
+             std::equal(record.actions.begin(), record.actions.end(), plan.begin());
+    });
+    EXPECT_EQ(plans.size(), 12u);
+    EXPECT_TRUE(begins_one) << "scene " << seed;
+    EXPECT_NE(record.ending, Ending::kRefused);
   }
 }
 
