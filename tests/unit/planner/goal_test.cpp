@@ -133,21 +133,33 @@ TEST(SetGoal, AllowsOnlyPlansThatPutOneOnTheOther) {
   EXPECT_EQ(Plans(WithGoal(PickAndPut(3), words, "on(*,*)")), Plans(PickAndPut(3)));
 }
 
+// Where a plan of PickAndPut leaves each block: the name of what it was last put on, or "".
+std::vector<std::string> WhereBlocksEnd(const Path& plan) {
+  std::vector<std::string> where(GoalNames().size());
+  for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
+    if (plan[i] < 3) where[plan[i]] = GoalNames()[plan[i + 1] - 3];
+  }
+  return where;
+}
+
 // With two moves the last of each block counts: what is put on blue and then elsewhere is not on
-// blue.
+// blue, and others stay where they are.
 TEST(SetGoal, WhatIsMovedOnIsNotThereAnyMore) {
   const auto words = PickAndPutWords();
-  const TaskRules rules = WithGoal(PickAndPut(6), words, "on(red,blue)");
+  const TaskRules red = WithGoal(PickAndPut(6), words, "on(red,blue)");
+  const TaskRules any = WithGoal(PickAndPut(6), words, "on(*,blue)");
+  const TaskRules open = WithGoal(PickAndPut(6), words, "on(red,*)");
   for (const Path& plan : Plans(PickAndPut(6))) {
-    std::string where = "table";
-    for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
-      if (plan[i] == 0) where = GoalNames()[plan[i + 1] - 3];
-    }
-    EXPECT_EQ(rules.Legal({}, plan), where == "blue") << ToString(plan);
-    EXPECT_EQ(rules.GoalMet({}, plan), where == "blue") << ToString(plan);
+    const auto where = WhereBlocksEnd(plan);
+    const bool some_on_blue = std::count(where.begin(), where.end(), "blue") > 0;
+    EXPECT_EQ(red.Legal({}, plan), where[0] == "blue") << ToString(plan);
+    EXPECT_EQ(red.GoalMet({}, plan), where[0] == "blue") << ToString(plan);
+    EXPECT_EQ(any.Legal({}, plan), some_on_blue) << ToString(plan);
+    EXPECT_EQ(open.Legal({}, plan), !where[0].empty()) << ToString(plan);
   }
-  EXPECT_TRUE(rules.Legal({}, {1, 5, 8, 0, 5, 8}));
-  EXPECT_FALSE(rules.Legal({}, {0, 5, 8, 0, 4, 7}));
+  EXPECT_TRUE(red.Legal({}, {1, 5, 8, 0, 5, 8}));
+  EXPECT_FALSE(red.Legal({}, {0, 5, 8, 0, 4, 7}));
+  EXPECT_TRUE(any.Legal({}, {0, 5, 8, 1, 3, 6})) << "green was moved, and red stays";
 }
 
 TEST(SetGoal, SeveralAtomsInAnyOrder) {
