@@ -288,6 +288,13 @@ void NameTheRest(const Plan& plan, const PlanContext& context, Explanation* expl
   }
 }
 
+// With a capital and a full stop.
+std::string Sentence(std::string text) {
+  if (text.empty()) return text;
+  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text.back() == '.' ? text : text + ".";
+}
+
 std::string Trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return "";
@@ -565,8 +572,7 @@ std::string Headline(const Explanation& explanation) {
 
 std::string ScoreSentence(const Explanation& explanation) {
   const double score = explanation.score, threshold = explanation.parameters.refusal_threshold;
-  if (explanation.chosen.steps.empty()) return explanation.reason;
-  if (!explanation.act) return explanation.reason;
+  if (!explanation.act) return Sentence(explanation.reason);
   const std::string compared = threshold > 0
                                    ? "; plans below " + Apart(threshold, score) + " are refused"
                                    : "; no threshold is set, so no plan is refused for its score";

@@ -134,12 +134,15 @@ std::string Verdict(const Explanation& explanation) {
                 "class=\"faint\"") +
       Element("h1", explanation.act ? "class=\"act\"" : "class=\"refuse\"",
               Escaped(Headline(explanation))) +
-      "\n" + Paragraph(ScoreSentence(explanation));
-  if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
-  if (!explanation.act && !explanation.chosen.steps.empty() && threshold > 0) {
+      "\n";
+  // Below the threshold, the two numbers first; the count of all futures after them.
+  const bool low = !explanation.act && !explanation.chosen.steps.empty() && score < threshold;
+  if (low) {
     words += Paragraph("The best that was imagined scores " + Apart(score, threshold) +
                        "; plans below " + Apart(threshold, score) + " are refused.");
   }
+  words += Paragraph(ScoreSentence(explanation), low ? "class=\"faint\"" : "");
+  if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
   words += Paragraph(
       "The score is the confidence: V after the last step times f of every step. It is the "
       "networks' own estimate and ranks plans; it is not a share counted on trials.",

@@ -45,7 +45,7 @@ void SearchSession::Begin(const SearchQuestion& question) {
   root_.budget_ms = question.budget_ms;
   started_ms_ = SteadyMs();
   shared_ = std::make_unique<SharedSearch>(root_, RulesOfSearch(*talk_.view().task(), root_),
-                                           talk_.id(), 0, started_ms_ * 1000);
+                                           talk_.id(), 0, started_ms_ * 1000, kListedFutures);
   window_.Begin(root_, started_ms_);
   ended_by_.clear();
   first_answer_us_ = over_us_ = 0;

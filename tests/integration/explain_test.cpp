@@ -59,6 +59,7 @@ TEST_F(Explaining, SaysWhatResultJsonSaysAndCarriesNothingOut) {
   EXPECT_TRUE(Holds(page, result.at("weights_hash").get<std::string>()));
   EXPECT_TRUE(Holds(page, "The best alternatives, and why each lost"));
   EXPECT_TRUE(Holds(page, "Scores less: ")) << "with 150 rollouts there are others to compare";
+  EXPECT_FALSE(Holds(page, "no future was followed to its end")) << "each first action is known";
   const std::string said = deployment.Log("5-prospect-executive");
   EXPECT_TRUE(Holds(said, "Act: begin with ")) << said;
   EXPECT_TRUE(Holds(said, "Alternatives:\n")) << said;

@@ -149,7 +149,7 @@ TEST(ExplanationPageTest, ARefusalThatImaginedNothing) {
   const std::string page = ExplanationPage(explanation);
   EXPECT_EQ(TagDefects(page), "");
   EXPECT_NE(page.find("<h1 class=\"refuse\">Refuse</h1>"), std::string::npos);
-  EXPECT_NE(page.find("every future fails"), std::string::npos);
+  EXPECT_NE(page.find("Every future fails."), std::string::npos);
   EXPECT_EQ(page.find("The chosen plan"), std::string::npos);
   EXPECT_EQ(page.find("<img "), std::string::npos);
 }
@@ -173,6 +173,10 @@ TEST(ExplanationPageTest, ARefusalComparesItsScore) {
   explanation.reason = "below";
   const std::string page = ExplanationPage(explanation);
   EXPECT_NE(page.find("The best that was imagined scores 0.15; plans below 0.21 are refused."),
+            std::string::npos);
+  // Refused for something else than its score.
+  explanation.score = 0.5;
+  EXPECT_EQ(ExplanationPage(explanation).find("The best that was imagined scores"),
             std::string::npos);
 }
 

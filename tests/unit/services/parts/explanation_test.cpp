@@ -229,7 +229,7 @@ TEST(ExplainTest, WhereEveryFutureFailsThereIsNoBest) {
   EXPECT_TRUE(explanation.chosen.steps.empty());
   EXPECT_EQ(explanation.alternatives.size(), 2u);
   const std::string text = ExplanationText(explanation);
-  EXPECT_EQ(text.rfind("Refuse. every future fails\n", 0), 0u) << text;
+  EXPECT_EQ(text.rfind("Refuse. Every future fails.\n", 0), 0u) << text;
   EXPECT_NE(text.find("f of step 1 is 0.01"), std::string::npos) << text;
 }
 
@@ -239,7 +239,7 @@ TEST(ExplainTest, NothingAtAllIsKnown) {
   const Explanation explanation = Explain(plan, Context());
   EXPECT_EQ(Headline(explanation), "Refuse");
   EXPECT_EQ(explanation.untried.size(), 4u);
-  EXPECT_EQ(ExplanationText(explanation), "Refuse. the scene itself was not evaluated\n");
+  EXPECT_EQ(ExplanationText(explanation), "Refuse. The scene itself was not evaluated.\n");
 }
 
 TEST(ExplainTest, AnUnfinishedFutureIsNotCalledRefusedForItsScore) {
