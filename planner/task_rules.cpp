@@ -99,6 +99,16 @@ bool TaskRules::BringsAbout(int previous, int action, std::uint8_t facts, std::s
                      [after | Apply(previous, action, facts)];
 }
 
+// Out of line, so that deciding without a goal costs what it did.
+[[gnu::noinline]] bool TaskRules::LeadsToGoal(const Path& executed, const Path& path,
+                                              std::size_t length, int action) const {
+  const int previous = length > 0         ? path[length - 1]
+                       : executed.empty() ? num_actions
+                                          : executed.back();
+  return BringsAbout(previous, action, FactsAfter(executed, path, length),
+                     executed.size() + length);
+}
+
 bool TaskRules::GoalMet(const Path& executed, const Path& path) const {
   return goal.empty() || goal.Met(FactsAfter(executed, path, path.size()));
 }
@@ -123,7 +133,7 @@ bool TaskRules::AllowedAfter(const Path& executed, const Path& path, std::size_t
   };
   if (!Contains(row, action) || taken(action)) return false;
   if (!brings_about.empty()) {
-    return BringsAbout(latest, action, FactsAfter(executed, path, length), steps);
+    return LeadsToGoal(executed, path, length, action);
   }
   if (finishes.empty()) return true;
   const std::vector<bool>& ends = finishes.at(static_cast<std::size_t>(plan_length) - steps - 1);
@@ -138,11 +148,7 @@ std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& pat
   std::vector<int> actions = Following(executed, path);
   if (actions.empty() || finishes.empty()) return actions;
   if (!brings_about.empty()) {
-    const std::uint8_t facts = FactsAfter(executed, path, path.size());
-    const std::size_t steps = executed.size() + path.size();
-    const Path& latest = path.empty() ? executed : path;
-    const int previous = latest.empty() ? num_actions : latest.back();
-    const auto fails = [&](int action) { return !BringsAbout(previous, action, facts, steps); };
+    const auto fails = [&](int a) { return !LeadsToGoal(executed, path, path.size(), a); };
     actions.erase(std::remove_if(actions.begin(), actions.end(), fails), actions.end());
     return actions;
   }

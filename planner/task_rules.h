@@ -86,6 +86,7 @@ struct TaskRules {
   std::uint8_t Apply(int previous, int action, std::uint8_t facts) const;
   std::uint8_t FactsAfter(const Path& executed, const Path& path, std::size_t length) const;
   bool BringsAbout(int previous, int action, std::uint8_t facts, std::size_t steps) const;
+  bool LeadsToGoal(const Path& executed, const Path& path, std::size_t length, int action) const;
   bool AllowedAfter(const Path& executed, const Path& path, std::size_t length, int action) const;
   std::vector<int> Following(const Path& executed, const Path& path) const;
 };
