@@ -53,10 +53,10 @@ for command in demo up run; do
   expect 2 '--workers wants a whole number' "$root/prospect" $command --workers many
 done
 for goal in 'on(red)' 'on(red' 'under(red,blue)' 'red on blue' ''; do
-  expect 2 'is no goal.*on(red,blue)' prospect-executive --goal "$goal"
-  expect 2 'is no goal.*on(red,blue)' prospect-evaluate --weights "$good" --goal "$goal"
+  expect 2 'is no goal.*on\(red,blue\)' prospect-executive --goal "$goal"
+  expect 2 'is no goal.*on\(red,blue\)' prospect-evaluate --weights "$good" --goal "$goal"
 done
-expect 2 'is no goal.*on(red,blue)' "$root/prospect" run --goal 'on(red'
+expect 2 'is no goal.*on\(red,blue\)' "$root/prospect" run --goal 'on(red'
 expect 3 "there is no 'unicorn' in this task; there are: .*barrel" prospect-evaluate --weights "$good" --goal 'visited(unicorn)'
 expect 3 'puts nothing on anything' prospect-evaluate --weights "$good" --goal 'on(barrel,pylon)'
 expect 2 'leave --goal out' prospect-evaluate --weights "$good" --calibrate --goal 'visited(barrel)'
