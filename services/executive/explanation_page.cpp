@@ -26,7 +26,7 @@ p { margin: .3rem 0; }
 .verdict { display: flex; flex-wrap: wrap; gap: .4rem 1.6rem; align-items: flex-start; }
 .verdict figure { width: 12rem; max-width: 100%; }
 .verdict div { flex: 1 1 20rem; }
-.steps { display: grid; grid-template-columns: repeat(auto-fill, minmax(7.2rem, 1fr)); gap: .8rem .6rem;
+.steps { display: grid; grid-template-columns: repeat(auto-fill, minmax(6.6rem, 1fr)); gap: .8rem .6rem;
   list-style: none; margin: .6rem 0; padding: 0; }
 .steps li { font-size: .85rem; line-height: 1.35; }
 figure { margin: 0; }
