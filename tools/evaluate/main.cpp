@@ -11,18 +11,16 @@
 
 #include "model/calibration.h"
 #include "model/engine.h"
-#include "model/weights.h"
 #include "planner/selection_rule.h"
 #include "sim/oracle.h"
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
-#include "tools/common/fork_map.h"
 #include "tools/common/json_file.h"
-#include "tools/common/progress.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
 #include "tools/evaluate/report.h"
+#include "tools/evaluate/scene_runs.h"
 #include "tools/evaluate/search_deciders.h"
 
 namespace prospect::tools {
@@ -181,27 +179,7 @@ void CheckInputs(const Options& options) {
   }
   planner::MakeSelectionRule(options.search.rule, 1, 1);
   RulesOf(sim::MakeTask(options.task, options.world)->spec(), options.goal);
-  const std::string made_for =
-      model::ReadWeights(options.weights).metadata.value("task", std::string());
-  if (made_for == options.task) return;
-  throw model::WeightsError(options.weights + ": was trained for task '" + made_for +
-                            "', not for '" + options.task + "': give --weights of that task");
-}
-
-std::vector<SceneRecord> RunScenes(const Options& options) {
-  std::vector<SceneRecord> scenes(options.scenes);
-  Progress progress("scenes", options.scenes);
-  ForkMap(
-      options.scenes, options.jobs,
-      [&]() {
-        auto bench = std::make_shared<Bench>(options);
-        return [bench, &options](int i) { return bench->Run(options.seed + i).dump(); };
-      },
-      [&](int i, const std::string& line) {
-        scenes[i] = json::parse(line);
-        progress.Step();
-      });
-  return scenes;
+  RequireWeightsOf(options.task, options.weights);
 }
 
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
@@ -247,7 +225,11 @@ int Main(int argc, char** argv) {
   if (options.rows.empty() || options.rows.front() != "planner")
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
-  const std::vector<SceneRecord> scenes = RunScenes(options);
+  const std::vector<SceneRecord> scenes =
+      RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
+        auto bench = std::make_shared<Bench>(options);
+        return [bench](std::uint64_t seed) { return bench->Run(seed); };
+      });
   json summary = Summarise(scenes, options.rows);
   if (!options.goal.empty()) std::cout << "goal: " << planner::ToString(options.goal) << "\n";
   std::cout << Table(summary, options.rows);

@@ -6,14 +6,12 @@
 #include <memory>
 
 #include "model/engine.h"
-#include "model/weights.h"
 #include "sim/task_factory.h"
-#include "tools/common/fork_map.h"
 #include "tools/common/guarded.h"
 #include "tools/common/json_file.h"
-#include "tools/common/progress.h"
 #include "tools/evaluate/plan_outcomes.h"
 #include "tools/evaluate/plan_scores.h"
+#include "tools/evaluate/scene_runs.h"
 
 namespace prospect::tools {
 namespace {
@@ -87,33 +85,6 @@ class Bench {
   OutcomeFile file_;
 };
 
-void CheckInputs(const Options& options) {
-  sim::MakeTask(options.task, options.world);
-  const std::string made_for =
-      model::ReadWeights(options.weights).metadata.value("task", std::string());
-  if (made_for == options.task) return;
-  throw model::WeightsError(options.weights + ": was trained for task '" + made_for +
-                            "', not for '" + options.task + "': give --weights of that task");
-}
-
-std::vector<PlanScene> RunScenes(const Options& options) {
-  std::vector<PlanScene> scenes(static_cast<std::size_t>(options.scenes));
-  Progress progress("scenes", options.scenes);
-  ForkMap(
-      options.scenes, options.jobs,
-      [&]() {
-        auto bench = std::make_shared<Bench>(options);
-        return [bench, &options](int i) {
-          return bench->Run(options.seed + static_cast<std::uint64_t>(i)).dump();
-        };
-      },
-      [&](int i, const std::string& line) {
-        scenes[static_cast<std::size_t>(i)] = json::parse(line);
-        progress.Step();
-      });
-  return scenes;
-}
-
 int Main(int argc, char** argv) {
   Options options;
   CLI::App app("Scores all plans of unseen scenes and carries each out many times");
@@ -123,8 +94,13 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  CheckInputs(options);
-  const std::vector<PlanScene> scenes = RunScenes(options);
+  sim::MakeTask(options.task, options.world);  // refuses what is out of range, before any process
+  RequireWeightsOf(options.task, options.weights);
+  const std::vector<PlanScene> scenes =
+      RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
+        auto bench = std::make_shared<Bench>(options);
+        return [bench](std::uint64_t seed) { return bench->Run(seed); };
+      });
   json summary = SummarisePlans(scenes);
   std::cout << PlanTable(summary);
   if (options.json_file.empty()) return 0;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "model/weights.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/progress.h"
+
+namespace prospect::tools {
+
+// A record of one scene, made by whatever a process has set up for many.
+using SceneRun = std::function<nlohmann::json(std::uint64_t scene_seed)>;
+
+// Records of the scenes from `first_seed` on, in their order, made by `jobs` processes that each
+// set themselves up once. Shows progress. Throws as ForkMap.
+inline std::vector<nlohmann::json> RunScenes(int scenes, std::uint64_t first_seed, int jobs,
+                                             const std::function<SceneRun()>& set_up) {
+  std::vector<nlohmann::json> records(static_cast<std::size_t>(scenes));
+  Progress progress("scenes", scenes);
+  ForkMap(
+      scenes, jobs,
+      [&]() {
+        const SceneRun run = set_up();
+        return [run, first_seed](int i) {
+          return run(first_seed + static_cast<std::uint64_t>(i)).dump();
+        };
+      },
+      [&](int i, const std::string& line) {
+        records[static_cast<std::size_t>(i)] = nlohmann::json::parse(line);
+        progress.Step();
+      });
+  return records;
+}
+
+// Throws model::WeightsError when the file cannot be read or was trained for another task.
+inline void RequireWeightsOf(const std::string& task, const std::string& weights) {
+  const std::string made_for = model::ReadWeights(weights).metadata.value("task", std::string());
+  if (made_for == task) return;
+  throw model::WeightsError(weights + ": was trained for task '" + made_for + "', not for '" +
+                            task + "': give --weights of that task");
+}
+
+}  // namespace prospect::tools
