@@ -72,6 +72,10 @@ void AddOptions(CLI::App* app, Options* o) {
       ->check(CLI::Range(1, 32))
       ->capture_default_str();
   app->add_option("--rule", o->search.rule, "Selection rule")->capture_default_str();
+  app->add_option("--v-failed", o->search.v_failed,
+                  "A future whose V falls below this on the way is given up")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app->add_option("--threshold", o->threshold,
                   "Plan score below which to refuse; negative: the weights' own")
       ->capture_default_str();
