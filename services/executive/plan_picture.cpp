@@ -119,11 +119,10 @@ int DrawHeader(Canvas& canvas, const EpisodeRecord& record) {
                        {0.6, OutcomeColor(record.outcome), false});
   if (record.searches.empty()) return y + 10;
   const auto& search = record.searches.front();
-  std::string words = search.act ? "Before setting out, the plan's chance of success was put at "
-                                 : "The best that could be imagined has a chance of success of ";
-  words += Number("%.0f %%", 100 * search.score);
-  if (search.threshold > 0)
-    words += Number(" (plans below %.0f %% are refused)", 100 * search.threshold);
+  std::string words = search.act ? "Before setting out, the plan scored "
+                                 : "The best that could be imagined scores ";
+  words += Number("%.2f", search.score);
+  if (search.threshold > 0) words += Number(" (plans below %.2f are refused)", search.threshold);
   words += ", from " + std::to_string(search.rollouts) + " imagined courses of action over " +
            std::to_string(search.evaluations) + " imagined states.";
   return canvas.Paragraph(kMargin, y, width, words, kBody) + 10;
