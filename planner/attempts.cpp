@@ -1,0 +1,99 @@
+#include "planner/attempts.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace prospect::planner {
+namespace {
+
+bool MayComeFirst(const TaskRules& rules, int action) {
+  const std::vector<int>& first = rules.successors.back();
+  return std::find(first.begin(), first.end(), action) != first.end();
+}
+
+// Where the unfinished part of a plan began: at the latest action that may come first.
+std::size_t UnfinishedSince(const TaskRules& rules, const Path& executed) {
+  std::size_t begin = executed.size();
+  while (begin > 0 && !MayComeFirst(rules, executed[begin - 1])) --begin;
+  return begin == 0 ? 0 : begin - 1;
+}
+
+}  // namespace
+
+bool MayBeginAnew(const TaskRules& rules, const Path& executed) {
+  if (executed.empty()) return false;
+  const std::vector<int>& next = rules.successors.at(executed.back());
+  const auto first = [&](int action) { return MayComeFirst(rules, action); };
+  return std::any_of(next.begin(), next.end(), first) &&
+         !std::all_of(next.begin(), next.end(), first);
+}
+
+Attempt BegunAnew(const TaskRules& rules, const Attempt& attempt) {
+  if (!MayBeginAnew(rules, attempt.executed))
+    throw std::invalid_argument("nothing can be begun anew here");
+  const std::size_t since = UnfinishedSince(rules, attempt.executed);
+  Attempt anew;
+  anew.executed.assign(attempt.executed.begin(),
+                       attempt.executed.begin() + static_cast<std::ptrdiff_t>(since));
+  anew.executed.push_back(attempt.executed.back());
+  anew.plan_length = attempt.plan_length + 1;
+  return anew;
+}
+
+TaskRules RulesFor(TaskRules rules, const Attempt& attempt) {
+  if (rules.plan_length == attempt.plan_length) return rules;
+  rules.plan_length = attempt.plan_length;
+  rules.Prepare();
+  return rules;
+}
+
+Attempts::Attempts(TaskRules rules, int most, double below)
+    : rules_(std::move(rules)), most_(most), below_(below), attempt_{{}, rules_.plan_length} {}
+
+NextStep Attempts::Next(const SearchFor& search) {
+  NextStep next;
+  next.plan = search(attempt_);
+  if (MayStill() && MayBeginAnew(rules_, attempt_.executed) &&
+      (!next.plan.ok() || next.plan.best.score < below_)) {
+    const Attempt anew = BegunAnew(rules_, attempt_);
+    Plan plan = search(anew);
+    if (plan.ok() && (!next.plan.ok() || plan.best.score > next.plan.best.score)) {
+      next = {NextStep::Kind::kAnew, -1, std::move(plan), next.plan.best.score};
+      attempt_ = anew;
+      ++begun_anew_;
+    }
+  }
+  if (next.plan.ok() && !next.plan.best.path.empty()) {
+    if (next.kind != NextStep::Kind::kAnew) next.kind = NextStep::Kind::kAct;
+    rest_ = next.plan.best.path;
+  } else if (MayStill() && RestLeadsToANewBeginning()) {
+    next.kind = NextStep::Kind::kCarryOn;
+  }
+  if (next.kind != NextStep::Kind::kGiveUp) next.action = rest_.front();
+  return next;
+}
+
+void Attempts::CarriedOut(int action) {
+  attempt_.executed.push_back(static_cast<std::uint8_t>(action));
+  if (!rest_.empty() && rest_.front() == action) {
+    rest_.erase(rest_.begin());
+  } else {
+    rest_.clear();
+  }
+}
+
+bool Attempts::complete() const {
+  return static_cast<int>(attempt_.executed.size()) >= attempt_.plan_length;
+}
+
+bool Attempts::MayStill() const { return begun_anew_ < most_ && !attempt_.executed.empty(); }
+
+// Where one may begin anew now and would not, one would not later either.
+bool Attempts::RestLeadsToANewBeginning() const {
+  return !MayBeginAnew(rules_, attempt_.executed) &&
+         std::any_of(rest_.begin(), rest_.end(),
+                     [&](std::uint8_t action) { return MayBeginAnew(rules_, {action}); });
+}
+
+}  // namespace prospect::planner

@@ -1,0 +1,178 @@
+#include "planner/attempts.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "tests/unit/planner/goal_table.h"
+
+namespace prospect::planner {
+namespace {
+
+// PickAndPut: 0 to 2 pick, 3 to 5 put, 6 to 8 home; after put one may go home or pick again.
+
+Plan Scoring(double score, Path path) {
+  Plan plan;
+  plan.status = PlanStatus::kPlan;
+  plan.best.path = std::move(path);
+  plan.best.score = score;
+  return plan;
+}
+
+Plan Refused(const std::string& reason) {
+  Plan plan;
+  plan.status = PlanStatus::kRefused;
+  plan.reason = reason;
+  return plan;
+}
+
+// Answers by what counts as carried out; an attempt that was not foreseen fails the test.
+class Answers {
+ public:
+  void Set(Path executed, int plan_length, Plan plan) {
+    answers_[{std::move(executed), plan_length}] = std::move(plan);
+  }
+  Attempts::SearchFor Search() {
+    return [this](const Attempt& attempt) {
+      ++asked;
+      return answers_.at({attempt.executed, attempt.plan_length});
+    };
+  }
+  int asked = 0;
+
+ private:
+  std::map<std::pair<Path, int>, Plan> answers_;
+};
+
+TEST(BeginAnew, OnlyWhereOneMayGoOnToo) {
+  const TaskRules rules = PickAndPut(3);
+  EXPECT_FALSE(MayBeginAnew(rules, {}));
+  EXPECT_FALSE(MayBeginAnew(rules, {0}));
+  EXPECT_TRUE(MayBeginAnew(rules, {0, 4}));
+  EXPECT_FALSE(MayBeginAnew(rules, {0, 4, 7})) << "home: nothing is left to go on with";
+  EXPECT_FALSE(MayBeginAnew(AnyOrder(4, 3), {1})) << "visits are never begun anew";
+}
+
+TEST(BeginAnew, CutsTheUnfinishedPartOutButForItsLastAction) {
+  const TaskRules rules = PickAndPut(6);
+  const Attempt anew = BegunAnew(rules, {{0, 4, 7, 1, 5}, 6});
+  EXPECT_EQ(anew.executed, (Path{0, 4, 7, 5})) << "the first tower stands and still counts";
+  EXPECT_EQ(anew.plan_length, 7);
+  EXPECT_THROW(BegunAnew(rules, {{0}, 6}), std::invalid_argument);
+}
+
+TEST(BeginAnew, LeavesRoomForAWholePlanAndNothingElse) {
+  const TaskRules rules = PickAndPut(3);
+  const Attempt anew = BegunAnew(rules, {{0, 4}, 3});
+  const TaskRules longer = RulesFor(rules, anew);
+  EXPECT_EQ(longer.AllowedActions(anew.executed, {}), (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(longer.Legal(anew.executed, {1, 3, 6}));
+  EXPECT_TRUE(longer.Complete(anew.executed, {1, 3, 6}));
+}
+
+TEST(BeginAnew, ForgetsForTheGoalWhatWasLost) {
+  TaskRules rules = PickAndPut(3);
+  SetGoal(ParseGoal("on(red,green)"), PickAndPutWords(), &rules);
+  const Attempt anew = BegunAnew(rules, {{0, 4}, 3});
+  const TaskRules longer = RulesFor(rules, anew);
+  EXPECT_TRUE(longer.Legal(anew.executed, {0, 4, 7}));
+  EXPECT_FALSE(longer.Legal(anew.executed, {1, 5, 8}))
+      << "red slipped: it is to be put there again";
+}
+
+TEST(Attempts, ActsOnThePlanWhileItIsGood) {
+  Attempts attempts(PickAndPut(3), 1);
+  Answers answers;
+  answers.Set({}, 3, Scoring(0.9, {0, 4, 7}));
+  answers.Set({0}, 3, Scoring(0.9, {4, 7}));
+  answers.Set({0, 4}, 3, Scoring(0.9, {7}));
+  for (const int expected : {0, 4, 7}) {
+    const NextStep next = attempts.Next(answers.Search());
+    EXPECT_EQ(next.kind, NextStep::Kind::kAct);
+    EXPECT_EQ(next.action, expected);
+    attempts.CarriedOut(next.action);
+  }
+  EXPECT_EQ(answers.asked, 3) << "beginning anew is not even searched";
+  EXPECT_TRUE(attempts.complete());
+}
+
+TEST(Attempts, RefusesAtTheStart) {
+  Attempts attempts(PickAndPut(3), 1);
+  Answers answers;
+  answers.Set({}, 3, Refused("hopeless"));
+  const NextStep next = attempts.Next(answers.Search());
+  EXPECT_EQ(next.kind, NextStep::Kind::kGiveUp);
+  EXPECT_EQ(next.action, -1);
+  EXPECT_EQ(next.plan.reason, "hopeless");
+}
+
+// Lost in the middle: on to where it can begin anew, then anew.
+TEST(Attempts, CarriesOnToWhereItCanBeginAnew) {
+  Attempts attempts(PickAndPut(3), 1);
+  Answers answers;
+  answers.Set({}, 3, Scoring(0.9, {0, 4, 7}));
+  answers.Set({0}, 3, Refused("dropped"));
+  answers.Set({0, 4}, 3, Refused("no tower"));
+  answers.Set({4}, 4, Scoring(0.6, {1, 3, 6}));
+  answers.Set({4, 1}, 4, Scoring(0.6, {3, 6}));
+  attempts.CarriedOut(attempts.Next(answers.Search()).action);
+  NextStep next = attempts.Next(answers.Search());
+  EXPECT_EQ(next.kind, NextStep::Kind::kCarryOn);
+  EXPECT_EQ(next.action, 4);
+  attempts.CarriedOut(4);
+  next = attempts.Next(answers.Search());
+  EXPECT_EQ(next.kind, NextStep::Kind::kAnew);
+  EXPECT_EQ(next.action, 1);
+  EXPECT_EQ(attempts.begun_anew(), 1);
+  attempts.CarriedOut(1);
+  EXPECT_FALSE(attempts.complete());
+  next = attempts.Next(answers.Search());
+  EXPECT_EQ(next.kind, NextStep::Kind::kAct) << "the new attempt is searched like any";
+  EXPECT_EQ(next.action, 3);
+}
+
+TEST(Attempts, BeginsAnewOnlyWhereThatScoresMore) {
+  for (const double anew : {0.2, 0.6}) {
+    Attempts attempts(PickAndPut(3), 1);
+    attempts.CarriedOut(0);
+    attempts.CarriedOut(4);
+    Answers answers;
+    answers.Set({0, 4}, 3, Scoring(0.4, {7}));
+    answers.Set({4}, 4, Scoring(anew, {1, 3, 6}));
+    const NextStep next = attempts.Next(answers.Search());
+    EXPECT_EQ(next.action, anew > 0.4 ? 1 : 7);
+    EXPECT_DOUBLE_EQ(next.going_on, anew > 0.4 ? 0.4 : 0);
+  }
+}
+
+TEST(Attempts, BeginsAnewNoOftenerThanItMay) {
+  for (const int most : {0, 1}) {
+    Attempts attempts(PickAndPut(3), most);
+    Answers answers;
+    answers.Set({0, 4}, 3, Refused("no tower"));
+    answers.Set({4}, 4, Scoring(0.6, {1, 3, 6}));
+    answers.Set({4, 1, 3}, 4, Refused("no tower again"));
+    attempts.CarriedOut(0);
+    attempts.CarriedOut(4);
+    EXPECT_EQ(attempts.Next(answers.Search()).action, most == 0 ? -1 : 1);
+    if (most == 0) continue;
+    attempts.CarriedOut(1);
+    attempts.CarriedOut(3);
+    EXPECT_EQ(attempts.Next(answers.Search()).kind, NextStep::Kind::kGiveUp);
+  }
+}
+
+// What was carried out is not what was planned: nothing is left to carry on with.
+TEST(Attempts, DoesNotCarryOnWithAPlanThatWasLeft) {
+  Attempts attempts(PickAndPut(3), 1);
+  Answers answers;
+  answers.Set({}, 3, Scoring(0.9, {0, 4, 7}));
+  answers.Set({1}, 3, Refused("lost"));
+  attempts.Next(answers.Search());
+  attempts.CarriedOut(1);
+  EXPECT_EQ(attempts.Next(answers.Search()).kind, NextStep::Kind::kGiveUp);
+}
+
+}  // namespace
+}  // namespace prospect::planner
