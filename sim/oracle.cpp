@@ -17,14 +17,14 @@ constexpr std::uint64_t kBestStream = 0x62657374ULL;
 // Tries every legal plan once under one noise seed, each beginning once.
 class Round {
  public:
-  Round(Task& task, std::map<std::vector<int>, int>* successes,
+  Round(Task& task, bool begin_anew, std::map<std::vector<int>, int>* successes,
         std::map<std::string, int>* failures)
-      : task_(task), successes_(successes), failures_(failures) {}
+      : task_(task), begin_anew_(begin_anew), successes_(successes), failures_(failures) {}
 
   void Explore() {
     const std::unique_ptr<TaskState> here = task_.Save();
     for (int action : task_.LegalActions()) {
-      if (task_.spec().IsRetry(Last(), action)) continue;
+      if (task_.spec().IsRetry(Last(), action) != (begin_anew_ && plan_.empty())) continue;
       plan_.push_back(action);
       RunAction(task_, action, nullptr);
       Account();
@@ -45,7 +45,11 @@ class Round {
     }
   }
 
-  int Last() const { return plan_.empty() ? task_.spec().null_action() : plan_.back(); }
+  // Where plans begin anew the first of them follows what was carried out before.
+  int Last() const {
+    if (!plan_.empty()) return plan_.back();
+    return begin_anew_ ? task_.progress().action : task_.spec().null_action();
+  }
 
   int Remaining() const { return task_.spec().plan_length - static_cast<int>(plan_.size()); }
 
@@ -69,6 +73,7 @@ class Round {
   }
 
   Task& task_;
+  bool begin_anew_;
   std::map<std::vector<int>, int>* successes_;
   std::map<std::string, int>* failures_;
   std::vector<int> plan_;
@@ -138,12 +143,16 @@ OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOpt
   std::map<std::vector<int>, int> successes;
   for (int round = 0; round < options.rounds; ++round) {
     task.SetNoiseSeed(MixSeeds({scene_seed, kRoundStream, static_cast<std::uint64_t>(round)}));
-    Round(task, &successes, &result.failures).Explore();
+    Round(task, options.begin_anew, &successes, &result.failures).Explore();
     task.Restore(*start);
   }
   for (const auto& [plan, count] : successes) {
     if (result.best_plan.empty() || count > successes[result.best_plan]) result.best_plan = plan;
     result.plans.push_back({plan, count});
+  }
+  if (result.plans.empty()) {
+    result.scene_class = SceneClass::kHopeless;
+    return result;
   }
   RunBest(task, *start, scene_seed, options.best_runs, Anyhow, &result);
   result.scene_class = Classify(result);

@@ -11,8 +11,8 @@
 namespace prospect::sim {
 
 // What can be achieved in a scene by someone who may try everything: the yardstick for planners.
-// Every legal plan (without retries, TaskSpec::IsRetry) is run `rounds` times from the saved state,
-// then the best one `best_runs` times with fresh noise.
+// Every legal plan (without retries on the way, TaskSpec::IsRetry) is run `rounds` times from the
+// saved state, then the best one `best_runs` times with fresh noise.
 
 enum class SceneClass {
   kSolvable,  // the best plan succeeded in at least 7 of 10 fresh runs
@@ -26,6 +26,9 @@ SceneClass SceneClassFromString(const std::string& s);  // throws std::invalid_a
 struct OracleOptions {
   int rounds = 3;
   int best_runs = 10;
+  // Plans that begin anew from where the task is (their first action is a retry), instead of those
+  // that go on.
+  bool begin_anew = false;
 };
 
 // One complete legal plan and in how many rounds it succeeded.

@@ -11,7 +11,7 @@ endif()
 set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/decider.cpp ${evaluate}/engine_model.cpp ${evaluate}/episode.cpp
   ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_scores.cpp
-  ${evaluate}/report.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
+  ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_training prospect_planner prospect_crew_search
   prospect_tools_common prospect_tools_guarded)

@@ -20,6 +20,8 @@ struct Decision {
   std::string reason;
   std::int64_t evaluations = 0;
   std::int64_t rollouts = 0;
+  bool anew = false;        // the plan begins anew with this action
+  bool carried_on = false;  // the plan is lost; on to where it can begin anew
 };
 
 // A way of deciding, run in closed loop: it looks, decides on one action, the world carries that

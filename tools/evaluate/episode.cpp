@@ -45,7 +45,7 @@ const char* ToString(Ending ending) {
 }
 
 EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise,
-                         const Goal& goal) {
+                         const Goal& goal, const AfterAction& after) {
   task.Reset(seed);
   EpisodeRecord record;
   planner::Path executed;
@@ -59,6 +59,9 @@ EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, 
     record.evaluations += decision.evaluations;
     record.rollouts += decision.rollouts;
     record.reason = decision.reason;
+    record.scores.push_back(decision.score);
+    record.begun_anew += decision.anew;
+    record.carried_on += decision.carried_on;
     if (decision.action < 0) break;
     record.actions.push_back(decision.action);
     if (!sim::RunAction(task, decision.action, nullptr)) {
@@ -68,6 +71,7 @@ EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, 
     }
     executed.push_back(static_cast<std::uint8_t>(decision.action));
     latest = Look(task, seed, image_noise);
+    if (after && task.progress().outcome == sim::Outcome::kRunning) after(task);
   }
   const sim::Progress progress = task.progress();
   record.ending = EndingOf(progress, record);

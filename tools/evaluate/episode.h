@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,19 @@ struct EpisodeRecord {
   std::int64_t evaluations = 0;
   std::int64_t rollouts = 0;
   std::vector<double> seconds_per_plan;  // wall clock of each decision
+  std::vector<double> scores;            // of the plan that each decision was about
+  int begun_anew = 0;                    // times the plan was begun anew
+  int carried_on = 0;                    // actions of plans given up as lost
 };
+
+// Looks at the world after each action of an episode that goes on, and leaves it as it was.
+using AfterAction = std::function<void(sim::Task& task)>;
 
 // Runs one closed loop on scene `seed`: reset, look, decide, act, look again, until the trial is
 // over or the decider gives up. Pictures carry sensor noise of standard deviation `image_noise`
 // (share of full scale).
 // The goal is judged by what the world itself says holds in the end (sim::Task::Facts).
 EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise,
-                         const Goal& goal = {});
+                         const Goal& goal = {}, const AfterAction& after = nullptr);
 
 }  // namespace prospect::tools

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "model/calibration.h"
@@ -19,7 +20,9 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
+#include "tools/evaluate/recovery.h"
 #include "tools/evaluate/report.h"
+#include "tools/evaluate/scene_draw.h"
 #include "tools/evaluate/scene_runs.h"
 #include "tools/evaluate/search_deciders.h"
 
@@ -35,6 +38,8 @@ struct Options {
   std::string goal_text;
   Goal goal;  // what goal_text says
   int scenes = 100;
+  ScenesWanted wanted;
+  int retries = 1;
   std::uint64_t seed = 2'000'000;
   sim::TaskOptions world;
   planner::SearchParameters search;
@@ -49,9 +54,16 @@ struct Options {
 void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file")->required();
-  app->add_option("--scenes", o->scenes, "Scenes")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
+  CLI::Option* scenes = app->add_option("--scenes", o->scenes, "Scenes, in seed order")
+                            ->check(CLI::Range(1, 1000000))
+                            ->capture_default_str();
+  app->add_option("--solvable", o->wanted.solvable,
+                  "Instead of --scenes: the first so many solvable scenes, in seed order")
+      ->check(CLI::Range(0, 100000))
+      ->excludes(scenes);
+  app->add_option("--hopeless", o->wanted.hopeless, "The same of hopeless scenes")
+      ->check(CLI::Range(0, 100000))
+      ->excludes(scenes);
   app->add_option("--seed", o->seed,
                   "First scene; 1000000 and up, since lower seeds are for training")
       ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
@@ -59,6 +71,7 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
       ->capture_default_str();
   app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
+  app->add_option("--tower", o->world.tower, "Blocks in the tower, 2 to 4")->capture_default_str();
   app->add_option(
       "--goal", o->goal_text,
       "What is to hold in the end, such as \"on(red,blue)\" or "
@@ -76,10 +89,17 @@ void AddOptions(CLI::App* app, Options* o) {
                   "A future whose V falls below this on the way is given up")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  app->add_option("--retries", o->retries,
+                  "Times a plan that is lost may be begun anew, where the task allows it")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   app->add_option("--threshold", o->threshold,
                   "Plan score below which to refuse; negative: the weights' own")
       ->capture_default_str();
-  app->add_option("--rows", o->rows, "Which rows to run, the planner always among them")
+  app->add_option(
+         "--rows", o->rows,
+         "Which rows to run, the planner always among them; samples=N is the planner with N "
+         "rollouts a search")
       ->delimiter(',');
   app->add_flag("--calibrate", o->calibrate,
                 "Find the refusal threshold on calibration scenes (from 1500000) and store it in "
@@ -92,19 +112,35 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
 }
 
+// An actions' world, whatever it calls the options that make a plan longer.
+sim::OracleKey KeyOf(const Options& options, const sim::Task& task) {
+  return {options.task, task.spec().world_version, options.world.objects, task.spec().plan_length};
+}
+
+// N of a row "samples=N".
+std::optional<int> SamplesOf(const std::string& row) {
+  const std::string prefix = "samples=";
+  if (row.rfind(prefix, 0) != 0) return std::nullopt;
+  const std::string digits = row.substr(prefix.size());
+  const bool number = !digits.empty() && digits.size() < 7 &&
+                      digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!number || std::stoi(digits) < 1)
+    throw std::invalid_argument("row '" + row + "': give samples=1 to samples=999999");
+  return std::stoi(digits);
+}
+
 // Everything one process needs to evaluate scenes.
 class Bench {
  public:
   explicit Bench(const Options& options)
       : options_(options),
         task_(sim::MakeTask(options.task, options.world)),
-        engine_(model::LoadTorchEngine(options.weights, 1)),
-        cache_({options.task, task_->spec().world_version, options.world.objects,
-                options.world.legs}) {
+        engine_(model::LoadSearchEngine(options.weights, 1)),
+        cache_(KeyOf(options, *task_)) {
     if (!options.goal.empty()) {
-      goal_cache_.emplace(sim::OracleKey{options.task, task_->spec().world_version,
-                                         options.world.objects, options.world.legs,
-                                         planner::ToString(options.goal)});
+      sim::OracleKey key = KeyOf(options, *task_);
+      key.goal = planner::ToString(options.goal);
+      goal_cache_.emplace(key);
     }
     planner::SearchParameters search = options.search;
     search.refusal_threshold =
@@ -121,10 +157,22 @@ class Bench {
     task_->Reset(seed);
     scene["solved_at_start"] = task_->progress().outcome == sim::Outcome::kSuccess;
     for (auto& [name, decider] : deciders_) {
-      scene["rows"][name] =
-          ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise, options_.goal));
+      std::optional<Recovery> lost;
+      const AfterAction look = [&](sim::Task& task) {
+        if (!lost) lost = ConsultRecovery(task, seed);
+      };
+      json& row = scene["rows"][name];
+      row = ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise, options_.goal,
+                              name == "planner" ? look : AfterAction()));
+      if (lost) row["lost"] = {{"anew", sim::ToString(lost->anew)}, {"time", lost->time}};
     }
     return scene;
+  }
+
+  // What the oracle says of a scene; for drawing scenes.
+  sim::SceneClass ClassOf(std::uint64_t seed) {
+    task_->Reset(seed);
+    return Consult(seed).scene_class;
   }
 
  private:
@@ -147,10 +195,17 @@ class Bench {
 
   std::unique_ptr<Decider> Make(const std::string& row, const planner::SearchParameters& search) {
     const Goal& goal = options_.goal;
-    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search, goal);
-    if (row == "exhaustive") return MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal);
+    const int retries = options_.retries;
+    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries);
+    if (const std::optional<int> samples = SamplesOf(row)) {
+      planner::SearchParameters other = search;
+      other.samples = *samples;
+      return MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries);
+    }
+    if (row == "exhaustive")
+      return MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries);
     if (row == "greedy") return MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal);
-    if (row == "simulator_model") return MakeSimulatorModel(search, goal);
+    if (row == "simulator_model") return MakeSimulatorModel(search, goal, retries);
     if (row == "random") return MakeRandom(goal);
     if (row == "nothing") return MakeNothing();
     throw std::logic_error("row " + row + " was checked before");
@@ -159,8 +214,9 @@ class Bench {
   static json ToJson(const EpisodeRecord& record) {
     return {{"ending", ToString(record.ending)}, {"reason", record.reason},
             {"actions", record.actions},         {"score", record.first_score},
-            {"evaluations", record.evaluations}, {"rollouts", record.rollouts},
-            {"seconds", record.seconds_per_plan}};
+            {"scores", record.scores},           {"begun_anew", record.begun_anew},
+            {"carried_on", record.carried_on},   {"evaluations", record.evaluations},
+            {"rollouts", record.rollouts},       {"seconds", record.seconds_per_plan}};
   }
 
   Options options_;
@@ -176,10 +232,10 @@ class Bench {
 void CheckInputs(const Options& options) {
   const std::vector<std::string> known = Options().rows;
   for (const std::string& row : options.rows) {
-    if (std::find(known.begin(), known.end(), row) != known.end()) continue;
+    if (std::find(known.begin(), known.end(), row) != known.end() || SamplesOf(row)) continue;
     throw std::invalid_argument(
         "unknown row '" + row +
-        "'; known: planner, nothing, random, greedy, exhaustive, simulator_model");
+        "'; known: planner, nothing, random, greedy, exhaustive, simulator_model, samples=N");
   }
   planner::MakeSelectionRule(options.search.rule, 1, 1);
   RulesOf(sim::MakeTask(options.task, options.world)->spec(), options.goal);
@@ -212,6 +268,19 @@ void Calibrate(const Options& options, const std::vector<SceneRecord>& scenes) {
             << calibration.scenes << " solvable scenes, stored in " << options.weights << "\n";
 }
 
+// The scenes to run: so many in a row, or the first of each class.
+std::vector<std::uint64_t> SeedsOf(const Options& options) {
+  if (options.wanted.solvable + options.wanted.hopeless > 0) {
+    return DrawScenes(options.wanted, options.seed, options.jobs, [&]() -> ClassOf {
+      auto bench = std::make_shared<Bench>(options);
+      return [bench](std::uint64_t seed) { return bench->ClassOf(seed); };
+    });
+  }
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.scenes));
+  std::iota(seeds.begin(), seeds.end(), options.seed);
+  return seeds;
+}
+
 int Main(int argc, char** argv) {
   Options options;
   options.search.samples = 30;
@@ -230,7 +299,7 @@ int Main(int argc, char** argv) {
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
   const std::vector<SceneRecord> scenes =
-      RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
+      RunScenes(SeedsOf(options), options.jobs, [&]() -> SceneRun {
         auto bench = std::make_shared<Bench>(options);
         return [bench](std::uint64_t seed) { return bench->Run(seed); };
       });

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -15,25 +16,32 @@ namespace prospect::tools {
 // A record of one scene, made by whatever a process has set up for many.
 using SceneRun = std::function<nlohmann::json(std::uint64_t scene_seed)>;
 
-// Records of the scenes from `first_seed` on, in their order, made by `jobs` processes that each
-// set themselves up once. Shows progress. Throws as ForkMap.
-inline std::vector<nlohmann::json> RunScenes(int scenes, std::uint64_t first_seed, int jobs,
+// Records of these scenes, in their order, made by `jobs` processes that each set themselves up
+// once. Shows progress. Throws as ForkMap.
+inline std::vector<nlohmann::json> RunScenes(const std::vector<std::uint64_t>& seeds, int jobs,
                                              const std::function<SceneRun()>& set_up) {
-  std::vector<nlohmann::json> records(static_cast<std::size_t>(scenes));
+  std::vector<nlohmann::json> records(seeds.size());
+  const int scenes = static_cast<int>(seeds.size());
   Progress progress("scenes", scenes);
   ForkMap(
       scenes, jobs,
       [&]() {
         const SceneRun run = set_up();
-        return [run, first_seed](int i) {
-          return run(first_seed + static_cast<std::uint64_t>(i)).dump();
-        };
+        return [run, &seeds](int i) { return run(seeds[static_cast<std::size_t>(i)]).dump(); };
       },
       [&](int i, const std::string& line) {
         records[static_cast<std::size_t>(i)] = nlohmann::json::parse(line);
         progress.Step();
       });
   return records;
+}
+
+// The same for the scenes from `first_seed` on.
+inline std::vector<nlohmann::json> RunScenes(int scenes, std::uint64_t first_seed, int jobs,
+                                             const std::function<SceneRun()>& set_up) {
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(scenes));
+  std::iota(seeds.begin(), seeds.end(), first_seed);
+  return RunScenes(seeds, jobs, set_up);
 }
 
 // Throws model::WeightsError when the file cannot be read or was trained for another task.

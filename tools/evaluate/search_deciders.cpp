@@ -1,7 +1,9 @@
 #include "tools/evaluate/search_deciders.h"
 
+#include <optional>
 #include <utility>
 
+#include "planner/attempts.h"
 #include "planner/baseline_plans.h"
 #include "planner/model_source.h"
 #include "planner/search.h"
@@ -12,6 +14,13 @@
 namespace prospect::tools {
 namespace {
 
+// A plan, and what looking for it took.
+struct Found {
+  planner::Plan plan;
+  std::int64_t rollouts = 0;
+  std::int64_t evaluations = 0;
+};
+
 planner::SearchParameters ForRoot(planner::SearchParameters parameters,
                                   const planner::TaskRules& rules, const planner::Path& executed,
                                   std::uint64_t scene_seed) {
@@ -21,39 +30,104 @@ planner::SearchParameters ForRoot(planner::SearchParameters parameters,
   return parameters;
 }
 
-Decision FromPlan(const planner::Plan& plan) {
-  Decision decision;
-  decision.score = plan.best.score;
-  decision.reason = plan.reason;
-  if (plan.ok() && !plan.best.path.empty()) decision.action = plan.best.path.front();
-  return decision;
-}
-
-Decision SearchTogether(const planner::TaskRules& rules,
-                        const planner::SearchParameters& parameters, const planner::Path& executed,
-                        planner::ModelSource* model) {
-  const CrewResult result = SearchWithCrew(rules, parameters, executed, model);
-  Decision decision = FromPlan(result.plan);
-  decision.rollouts = result.rollouts;
-  decision.evaluations = result.evaluations;
-  return decision;
-}
-
-Decision SearchWith(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
-                    const planner::Path& executed, planner::ModelSource* model) {
-  if (parameters.workers > 1) return SearchTogether(rules, parameters, executed, model);
+Found SearchWith(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
+                 const planner::Path& executed, planner::ModelSource* model) {
+  if (parameters.workers > 1) {
+    CrewResult crew = SearchWithCrew(rules, parameters, executed, model);
+    return {std::move(crew.plan), crew.rollouts, crew.evaluations};
+  }
   planner::Search search(rules, parameters, executed, planner::SearchIdentity{});
   planner::RunSearch(&search, model, 1);
-  Decision decision = FromPlan(search.BestPlan());
-  decision.rollouts = search.rollouts();
-  decision.evaluations = search.known_evaluations();
-  return decision;
+  return {search.BestPlan(), search.rollouts(), search.known_evaluations()};
 }
 
-class Learned : public Decider {
+// Decides by searching what is left of the plan, or of the plan begun anew.
+class Searching : public Decider {
  public:
-  Learned(PlanBy by, model::Engine* engine, const planner::SearchParameters& parameters, Goal goal)
-      : by_(by), parameters_(parameters), goal_(std::move(goal)), model_(engine) {}
+  Searching(planner::SearchParameters parameters, Goal goal, int retries)
+      : parameters_(std::move(parameters)), goal_(std::move(goal)), retries_(retries) {}
+
+  void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
+    seed_ = scene_seed;
+    attempts_.reset();
+    followed_ = 0;
+  }
+
+  Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>& latest,
+                  sim::Task& task) override {
+    rules_ = RulesOf(task.spec(), goal_);
+    if (!attempts_) attempts_.emplace(rules_, retries_);
+    for (; followed_ < executed.size(); ++followed_) attempts_->CarriedOut(executed[followed_]);
+    Look(executed, latest, task);
+    Decision decision;
+    const planner::NextStep next = attempts_->Next([&](const planner::Attempt& attempt) {
+      const planner::TaskRules rules = planner::RulesFor(rules_, attempt);
+      Found found =
+          Find(rules, ForRoot(parameters_, rules, attempt.executed, seed_), attempt.executed);
+      decision.rollouts += found.rollouts;
+      decision.evaluations += found.evaluations;
+      return std::move(found.plan);
+    });
+    decision.action = next.action;
+    decision.score = next.plan.best.score;
+    decision.reason = next.plan.reason;
+    decision.anew = next.kind == planner::NextStep::Kind::kAnew;
+    decision.carried_on = next.kind == planner::NextStep::Kind::kCarryOn;
+    return decision;
+  }
+
+ protected:
+  // The world as it is now, after all of `executed`.
+  virtual void Look(const planner::Path& executed, const std::vector<std::uint8_t>& latest,
+                    sim::Task& task) = 0;
+  virtual Found Find(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
+                     const planner::Path& executed) = 0;
+
+  const planner::TaskRules& rules() const { return rules_; }
+  std::uint64_t seed() const { return seed_; }
+
+ private:
+  planner::SearchParameters parameters_;
+  Goal goal_;
+  int retries_;
+  std::uint64_t seed_ = 0;
+  planner::TaskRules rules_;
+  std::optional<planner::Attempts> attempts_;
+  std::size_t followed_ = 0;  // actions that attempts_ knows to be carried out
+};
+
+class Learned : public Searching {
+ public:
+  Learned(bool exhaustive, model::Engine* engine, const planner::SearchParameters& parameters,
+          Goal goal, int retries)
+      : Searching(parameters, std::move(goal), retries), exhaustive_(exhaustive), model_(engine) {}
+
+  void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>& first) override {
+    Searching::Begin(scene_seed, first);
+    model_.SetFirst(first);
+  }
+
+ private:
+  void Look(const planner::Path& executed, const std::vector<std::uint8_t>& latest,
+            sim::Task&) override {
+    model_.SetRoot(latest, executed.empty() ? rules().num_actions : executed.back());
+  }
+
+  Found Find(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
+             const planner::Path& executed) override {
+    if (!exhaustive_) return SearchWith(rules, parameters, executed, &model_);
+    planner::ExhaustiveResult all = planner::ExhaustivePlan(rules, parameters, executed, &model_);
+    return {std::move(all.plan), 0, all.evaluations};
+  }
+
+  bool exhaustive_;
+  EngineModel model_;
+};
+
+class Greedy : public Decider {
+ public:
+  Greedy(model::Engine* engine, planner::SearchParameters parameters, Goal goal)
+      : parameters_(std::move(parameters)), goal_(std::move(goal)), model_(engine) {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>& first) override {
     seed_ = scene_seed;
@@ -64,71 +138,59 @@ class Learned : public Decider {
                   sim::Task& task) override {
     const planner::TaskRules rules = RulesOf(task.spec(), goal_);
     model_.SetRoot(latest, executed.empty() ? rules.num_actions : executed.back());
-    const planner::SearchParameters parameters = ForRoot(parameters_, rules, executed, seed_);
-    if (by_ == PlanBy::kSearch) return SearchWith(rules, parameters, executed, &model_);
-    Decision decision = by_ == PlanBy::kGreedy ? Greedy(rules, parameters, executed)
-                                               : Exhaustive(rules, parameters, executed);
+    const planner::Path plan =
+        planner::GreedyPlan(rules, ForRoot(parameters_, rules, executed, seed_), executed, &model_);
+    Decision decision;
+    decision.reason = "nothing is permitted";
+    if (!plan.empty()) decision.action = plan.front();
     decision.evaluations = model_.evaluations();
     return decision;
   }
 
  private:
-  Decision Greedy(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
-                  const planner::Path& executed) {
-    const planner::Path plan = planner::GreedyPlan(rules, parameters, executed, &model_);
-    Decision decision;
-    decision.reason = "nothing is permitted";
-    if (!plan.empty()) decision.action = plan.front();
-    return decision;
-  }
-
-  Decision Exhaustive(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
-                      const planner::Path& executed) {
-    return FromPlan(planner::ExhaustivePlan(rules, parameters, executed, &model_).plan);
-  }
-
-  PlanBy by_;
   planner::SearchParameters parameters_;
   Goal goal_;
   EngineModel model_;
   std::uint64_t seed_ = 0;
 };
 
-class WithSimulator : public Decider {
+// One imagined run succeeds or fails.
+planner::SearchParameters OfCertainModel(planner::SearchParameters parameters) {
+  parameters.refusal_threshold = 0.5;
+  return parameters;
+}
+
+class WithSimulator : public Searching {
  public:
-  WithSimulator(const planner::SearchParameters& parameters, Goal goal)
-      : parameters_(parameters), goal_(std::move(goal)) {
-    parameters_.refusal_threshold = 0.5;  // one imagined run succeeds or fails
-  }
-
-  void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
-    seed_ = scene_seed;
-  }
-
-  Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>&,
-                  sim::Task& task) override {
-    const planner::TaskRules rules = RulesOf(task.spec(), goal_);
-    SimulatorModel model(&task, seed_ * 31 + executed.size() + 0x51517);
-    return SearchWith(rules, ForRoot(parameters_, rules, executed, seed_), executed, &model);
-  }
+  WithSimulator(const planner::SearchParameters& parameters, Goal goal, int retries)
+      : Searching(OfCertainModel(parameters), std::move(goal), retries) {}
 
  private:
-  planner::SearchParameters parameters_;
-  Goal goal_;
-  std::uint64_t seed_ = 0;
+  void Look(const planner::Path& executed, const std::vector<std::uint8_t>&,
+            sim::Task& task) override {
+    model_ = std::make_unique<SimulatorModel>(&task, seed() * 31 + executed.size() + 0x51517);
+  }
+
+  Found Find(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
+             const planner::Path& executed) override {
+    return SearchWith(rules, parameters, executed, model_.get());
+  }
+
+  std::unique_ptr<SimulatorModel> model_;
 };
 
 }  // namespace
 
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
-                                     const planner::SearchParameters& parameters,
-                                     const Goal& goal) {
-  return std::make_unique<Learned>(by, engine, parameters, goal);
+                                     const planner::SearchParameters& parameters, const Goal& goal,
+                                     int retries) {
+  if (by == PlanBy::kGreedy) return std::make_unique<Greedy>(engine, parameters, goal);
+  return std::make_unique<Learned>(by == PlanBy::kExhaustive, engine, parameters, goal, retries);
 }
 
 std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
-                                            const Goal& goal) {
-  return std::make_unique<WithSimulator>(parameters, goal);
+                                            const Goal& goal, int retries) {
+  return std::make_unique<WithSimulator>(parameters, goal, retries);
 }
 
 }  // namespace prospect::tools

@@ -15,13 +15,14 @@ enum class PlanBy {
   kGreedy,      // highest Q at each step, never refuses
 };
 
-// Plans with the learned networks. `engine` outlives the decider.
+// Plans with the learned networks. `engine` outlives the decider. A plan that is lost is begun anew
+// at most `retries` times where the task allows it (planner/attempts.h); greedy never does.
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
                                      const planner::SearchParameters& parameters,
-                                     const Goal& goal = {});
+                                     const Goal& goal = {}, int retries = 0);
 
 // Searches with the simulator as its model: perfect imagination, the same number of rollouts.
 std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
-                                            const Goal& goal = {});
+                                            const Goal& goal = {}, int retries = 0);
 
 }  // namespace prospect::tools
