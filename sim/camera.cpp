@@ -125,14 +125,22 @@ struct AerialCamera::Impl {
   };
 
   Impl(const AerialView& aerial_view, GroundColor ground_color, const VisualBody& still_body)
-      : view(aerial_view), ground(std::move(ground_color)), still(still_body) {}
+      : view(aerial_view), ground(std::move(ground_color)), still(still_body) {
+    if (!(std::abs(view.tilt) < M_PI / 4)) {
+      throw std::invalid_argument("an aerial camera is tilted by less than 45 degrees");
+    }
+    if (view.tilt == 0) return;
+    turn = Eigen::AngleAxisf(static_cast<float>(view.tilt), Eigen::Vector3f::UnitY());
+    eye = turn * eye;
+  }
 
-  // Direction of the ray through picture position (u, v) in pixels, scaled so that the ground is at
-  // distance 1.
+  // Direction of the ray through picture position (u, v) in pixels, as long as the way to the
+  // ground of a camera that is not tilted.
   Eigen::Vector3f Direction(float u, float v, int width, int height) const {
     const auto scale = static_cast<float>(2 * view.half_extent / std::min(width, height));
-    return {(u - 0.5f * width) * scale, (0.5f * height - v) * scale,
-            -static_cast<float>(view.height)};
+    const Eigen::Vector3f straight((u - 0.5f * width) * scale, (0.5f * height - v) * scale,
+                                   -static_cast<float>(view.height));
+    return view.tilt == 0 ? straight : turn * straight;
   }
 
   Eigen::Vector3f SampleDirection(int x, int y, int sample, int width, int height) const {
@@ -143,9 +151,9 @@ struct AerialCamera::Impl {
 
   Hit TraceStill(const Eigen::Vector3f& direction) const {
     Hit hit;
-    const Eigen::Vector3f origin(0, 0, static_cast<float>(view.height));
-    if (still.Trace(origin, direction, 1.0f, Eigen::Matrix3f::Identity(), &hit)) return hit;
-    return {1.0f, ground(direction.x(), direction.y())};
+    const float far = -eye.z() / direction.z();  // where the ground is; 1 without a tilt
+    if (still.Trace(eye, direction, far, Eigen::Matrix3f::Identity(), &hit)) return hit;
+    return {far, ground(eye.x() + far * direction.x(), eye.y() + far * direction.y())};
   }
 
   const Background& BackgroundFor(int width, int height, double light, Background* spare);
@@ -159,6 +167,8 @@ struct AerialCamera::Impl {
                   int y) const;
 
   AerialView view;
+  Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
+  Eigen::Vector3f eye{0, 0, static_cast<float>(view.height)};
   GroundColor ground;
   TracedBody still;
   std::vector<std::unique_ptr<TracedBody>> moving;
@@ -208,9 +218,10 @@ const AerialCamera::Impl::Background& AerialCamera::Impl::BackgroundFor(int widt
 }
 
 // The pixels that a sphere may cover: its outline is widest seen at the heights of its top and
-// bottom.
+// bottom. Under a tilt, all: that is rare, and pictures are small.
 AerialCamera::Impl::Box AerialCamera::Impl::BoxOf(const Eigen::Vector3d& centre, double radius,
                                                   int width, int height) const {
+  if (view.tilt != 0) return {0, width, 0, height};
   const double scale = std::min(width, height) / (2 * view.half_extent);
   double low[2] = {1e9, 1e9};
   double high[2] = {-1e9, -1e9};
@@ -237,8 +248,8 @@ AerialCamera::Impl::Mover AerialCamera::Impl::MakeMover(std::size_t index,
   mover.body = moving[index].get();
   mover.to_site = pose.linear().cast<float>();
   mover.to_body = mover.to_site.transpose();
-  const Eigen::Vector3d eye(0, 0, view.height);
-  mover.origin = (pose.linear().transpose() * (eye - pose.translation())).cast<float>();
+  const Eigen::Vector3d from = eye.cast<double>();
+  mover.origin = (pose.linear().transpose() * (from - pose.translation())).cast<float>();
   mover.box = BoxOf(pose.translation(), mover.body->radius(), width, height);
   return mover;
 }

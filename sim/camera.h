@@ -15,6 +15,8 @@ namespace prospect::sim {
 struct AerialView {
   double height = 12.0;       // m above the ground
   double half_extent = 3.84;  // m of ground from the centre to the edge of a square picture
+  double tilt = 0;  // rad that it is turned about the ground's y axis, still looking at the origin;
+                    // below pi / 4 either way
 };
 
 // An aerial camera that casts rays with Embree: nine a pixel, Lambert shading under a light from

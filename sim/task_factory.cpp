@@ -21,6 +21,17 @@ void SetPlanLength(const std::string& name, int plan_length, TaskOptions* option
   options->tower = plan_length / kStackingKinds + 1;
 }
 
+void SetShift(const std::string& factor, int strength, TaskOptions* options) {
+  const bool none = strength == 0;
+  const double amount = ShiftAmount(factor, none ? 1 : strength);  // checks the name, too
+  if (none) return;
+  double& field = factor == "light"    ? options->shift.light
+                  : factor == "camera" ? options->shift.camera
+                  : factor == "colour" ? options->shift.hue
+                                       : options->image_noise;
+  field = amount;
+}
+
 std::unique_ptr<Task> MakeTask(const std::string& name, const TaskOptions& options) {
   if (name == "navigation") return std::make_unique<NavigationTask>(options);
   if (name == "stacking") return std::make_unique<StackingTask>(options);

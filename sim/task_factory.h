@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/shift.h"
 #include "sim/task.h"
 
 namespace prospect::sim {
@@ -18,12 +19,18 @@ struct TaskOptions {
   double execution_noise =
       1.0;  // stacking: scale of the scene file's execution noise; 0: none. For measurements
   double image_noise =
-      0.01;  // sigma of the sensor noise as a share of full range; Observe() stays clean
+      0.01;          // sigma of the sensor noise as a share of full range; Observe() stays clean
+  Shift shift = {};  // how pictures differ from those of trials; none
 };
 
 // Sets what makes a complete plan `plan_length` actions long: navigation's legs, stacking's tower
 // (9, 18 or 27 actions). Throws std::invalid_argument if no scene has such plans.
 void SetPlanLength(const std::string& name, int plan_length, TaskOptions* options);
+
+// Makes pictures differ from those of trials by ShiftAmount(factor, strength): sets
+// options->shift, or options->image_noise for the factor "noise". Strength 0: leaves them as they
+// are. Throws std::invalid_argument for an unknown factor or a strength above kShiftStrengths.
+void SetShift(const std::string& factor, int strength, TaskOptions* options);
 
 // The names MakeTask knows.
 std::vector<std::string> TaskNames();

@@ -120,12 +120,14 @@ void NavigationTask::BuildCamera() {
     for (const VisualPart& part :
          Placed(ObjectCatalogue()[object.kind].visual, pose.x, pose.y, pose.yaw)) {
       still.push_back(part);
+      still.back().color = TurnedHue(part.color, options_.shift.hue);
     }
   }
   const double half = parameters_.half_view;
   const auto ground = [half](double x, double y) { return GroundColorAt(x, y, half); };
-  camera_ = std::make_unique<AerialCamera>(AerialView{parameters_.camera_height, half}, ground,
-                                           still, std::vector<VisualBody>{Husky::Visual()});
+  const double tilt = options_.shift.camera * M_PI / 180;
+  camera_ = std::make_unique<AerialCamera>(AerialView{parameters_.camera_height, half, tilt},
+                                           ground, still, std::vector<VisualBody>{Husky::Visual()});
 }
 
 bool NavigationTask::StartAction(int action) {
@@ -256,7 +258,8 @@ Image NavigationTask::Observe() { return Render(spec_.image_width, spec_.image_h
 
 Image NavigationTask::Render(int width, int height) {
   if (camera_ == nullptr) BuildCamera();
-  return camera_->Render({robot_.ChassisPose()}, scene_.light, width, height);
+  const double light = scene_.light * options_.shift.light;
+  return camera_->Render({robot_.ChassisPose()}, light, width, height);
 }
 
 int NavigationTask::CountRobotPixels(int width, int height) {

@@ -15,6 +15,18 @@ constexpr int kRevision = 1;
 constexpr std::uint64_t kNoiseStream = 0x737461636b6eULL;
 constexpr int kSettleSteps = 60;  // after which blocks rest and sleep
 
+// What the camera sees is shifted here, once; physics reads neither cameras nor colours.
+void ShiftLooks(const Shift& shift, TabletopDescription* description) {
+  for (BodyDescription& block : description->blocks) {
+    for (ShapeDescription& shape : block.visual) shape.color = TurnedHue(shape.color, shift.hue);
+  }
+  const auto observed = description->cameras.find("robot");
+  if (shift.camera == 0 || observed == description->cameras.end()) return;
+  CameraDescription& camera = observed->second;
+  const Eigen::AngleAxisd turn(shift.camera * M_PI / 180, Eigen::Vector3d::UnitZ());
+  camera.eye = camera.target + turn * (camera.eye - camera.target);
+}
+
 TabletopDescription CheckedDescription(const TaskOptions& options) {
   if (options.tower < 2 || options.tower > 4) {
     throw std::invalid_argument("stacking: tower is " + std::to_string(options.tower) +
@@ -24,6 +36,7 @@ TabletopDescription CheckedDescription(const TaskOptions& options) {
   if (static_cast<int>(description.blocks.size()) < options.tower) {
     throw std::invalid_argument("stacking: the scene has fewer blocks than the tower");
   }
+  ShiftLooks(options.shift, &description);
   return description;
 }
 
@@ -231,7 +244,8 @@ Image StackingTask::RenderFrom(const std::string& name, int width, int height) {
     for (const std::string& one : Cameras()) known += (known.empty() ? "" : ", ") + one;
     throw std::invalid_argument("no camera '" + name + "' in this scene: there are " + known);
   }
-  return camera().Render(found->second, VisualPoses(), scene_.light, width, height);
+  const double light = scene_.light * options_.shift.light;
+  return camera().Render(found->second, VisualPoses(), light, width, height);
 }
 
 std::vector<std::string> StackingTask::Cameras() const {
