@@ -1,17 +1,13 @@
 #include "model/dataset.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "model/atomic_file.h"
+#include "model/demo_io.h"
 #include "model/hash.h"
 #include "model/hdf5_io.h"
 
@@ -20,154 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kImageName = "agentview_image";
-constexpr const char* kLandmarksName = "landmarks";
-constexpr unsigned kDeflateLevel = 4;
-
 hsize_t Size(int n) { return static_cast<hsize_t>(n); }
-
-/// A file under a temporary name that takes its real one in Commit(), or is removed.
-class AtomicFile {
- public:
-  explicit AtomicFile(std::string path)
-      : path_(std::move(path)), temporary_(TemporaryName(path_, ::getpid())) {}
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
-  ~AtomicFile() { std::remove(temporary_.c_str()); }
-  const std::string& temporary() const { return temporary_; }
-  void Commit() const {
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-      throw DiskError(path_ +
-                      ": cannot be written (rename failed); check the folder's permissions");
-    }
-  }
-
-  void Write(const std::vector<std::uint8_t>& bytes) const {
-    std::ofstream file(temporary_, std::ios::binary | std::ios::trunc);
-    file.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file)
-      throw DiskError(path_ + ": cannot be written; check the folder and the space on the disk");
-  }
-
-  // Takes the disk space of a file that libhdf5 has just created there, because libhdf5 crashes
-  // when it gives out under its hands.
-  void Reserve(std::uintmax_t bytes) const {
-    const int file = ::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC);
-    const int taken =
-        file < 0 ? -1 : ::fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes));
-    const bool full = file < 0 || (taken != 0 && (errno == ENOSPC || errno == EDQUOT));
-    if (file >= 0) ::close(file);
-    if (!full) return;  // or a file system that cannot reserve
-    throw DiskError(path_ + ": needs up to " + std::to_string((bytes >> 20) + 1) +
-                    " MB, and the disk is full; make room or choose another disk");
-  }
-
-  // Gives back what Reserve() took too much.
-  void Trim() const {
-    [[maybe_unused]] const int cut =
-        ::truncate(temporary_.c_str(), static_cast<off_t>(fs::file_size(temporary_)));
-  }
-
- private:
-  std::string path_;
-  std::string temporary_;
-};
-
-void WriteImages(hid_t demo, const Trial& trial, const std::string& file) {
-  hdf5::Handle obs = hdf5::CreateGroup(demo, "obs", file);
-  const hsize_t dims[4] = {Size(trial.frames()), Size(trial.height), Size(trial.width), 3};
-  const hsize_t chunk[4] = {1, dims[1], dims[2], 3};
-  hdf5::Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, "property list");
-  hdf5::Check(H5Pset_chunk(plist, 4, chunk), file, "chunks");
-  hdf5::Check(H5Pset_deflate(plist, kDeflateLevel), file,
-              "deflate is not available in this libhdf5");
-  hdf5::Handle space(H5Screate_simple(4, dims, nullptr), H5Sclose, file, "image space");
-  hdf5::Handle set(
-      H5Dcreate2(obs, kImageName, H5T_NATIVE_UINT8, space, H5P_DEFAULT, plist, H5P_DEFAULT),
-      H5Dclose, file, "cannot create the images");
-  hdf5::Check(H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, trial.images.data()),
-              file, "cannot write the images; is the disk full?");
-}
-
-void WriteLandmarks(hid_t demo, const Trial& trial, const std::string& file) {
-  if (trial.num_landmarks == 0) return;
-  hdf5::Handle obs = hdf5::OpenGroup(demo, "obs", file);
-  hdf5::Write(obs, kLandmarksName, trial.landmarks,
-              {Size(trial.frames()), Size(trial.num_landmarks), 2}, file);
-}
-
-void WriteAttributes(hid_t demo, const Trial& trial, const std::string& file) {
-  hdf5::SetInteger(demo, "num_samples", trial.frames(), file);
-  hdf5::SetInteger(demo, "seed", static_cast<std::int64_t>(trial.seed), file);
-  hdf5::SetText(demo, "task", trial.task, file);
-  hdf5::SetText(demo, "outcome", trial.outcome, file);
-  hdf5::SetText(demo, "reason", trial.reason, file);
-  hdf5::SetNumber(demo, "tick_seconds", trial.tick_seconds, file);
-  hdf5::SetNumber(demo, "image_noise", trial.image_noise, file);
-  hdf5::SetNumber(demo, "light", trial.light, file);
-  hdf5::SetInteger(demo, "width", trial.width, file);
-  hdf5::SetInteger(demo, "height", trial.height, file);
-  hdf5::SetInteger(demo, "num_actions", trial.num_actions, file);
-  hdf5::SetInteger(demo, "plan_length", trial.plan_length, file);
-  hdf5::SetInteger(demo, "num_landmarks", trial.num_landmarks, file);
-  hdf5::SetText(demo, "world_version", trial.world_version, file);
-  hdf5::SetText(demo, "task_hash", trial.task_hash, file);
-}
-
-std::string DemoName(std::uint64_t seed) { return "demo_" + std::to_string(seed); }
-
-void WriteDemo(hid_t data, const Trial& trial, const std::string& file) {
-  hdf5::Handle demo = hdf5::CreateGroup(data, DemoName(trial.seed), file);
-  const hsize_t n = Size(trial.frames());
-  WriteAttributes(demo, trial, file);
-  hdf5::Write(demo, "actions", trial.actions, {n, 1}, file);
-  hdf5::Write(demo, "prev_action", trial.prev_action, {n}, file);
-  hdf5::Write(demo, "segment", trial.segment, {n}, file);
-  hdf5::Write(demo, "rewards", trial.rewards, {n}, file);
-  hdf5::Write(demo, "dones", trial.dones, {n}, file);
-  hdf5::Write(demo, "present", trial.present, {trial.present.size()}, file);
-  hdf5::Write(demo, "segment_succeeded", trial.segment_succeeded, {trial.segment_succeeded.size()},
-              file);
-  WriteImages(demo, trial, file);
-  WriteLandmarks(demo, trial, file);
-}
-
-void WriteDataAttributes(hid_t data, const Trial& sample, std::int64_t frames,
-                         const std::string& file) {
-  hdf5::SetInteger(data, "total", frames, file);
-  const nlohmann::json env = {
-      {"env_name", sample.task},
-      {"type", "prospect"},
-      {"env_kwargs", {{"world_version", sample.world_version}, {"successors", sample.successors}}}};
-  hdf5::SetText(data, "env_args", env.dump(), file);
-}
-
-void WriteMasks(hid_t root, const std::vector<std::uint64_t>& seeds, const std::string& file) {
-  hdf5::Handle mask = hdf5::CreateGroup(root, "mask", file);
-  for (const Split split : {Split::kTrain, Split::kValid, Split::kTest}) {
-    std::vector<std::string> names;
-    for (const std::uint64_t seed : seeds) {
-      if (SplitOf(seed) == split) names.push_back(DemoName(seed));
-    }
-    hdf5::WriteStrings(mask, SplitName(split), names, file);
-  }
-}
-
-std::uint64_t SeedOfName(const std::string& name, const std::string& file) {
-  const std::string prefix = "demo_";
-  const std::string digits =
-      name.substr(0, prefix.size()) == prefix ? name.substr(prefix.size()) : "";
-  if (digits.empty() || digits.size() > 9 ||
-      digits.find_first_not_of("0123456789") != std::string::npos) {
-    throw DataError(file + ": 'data/" + name + "' is not named demo_SEED; not a data set of ours");
-  }
-  return std::stoull(digits);
-}
 
 void ReadAttributes(hid_t demo, const std::string& file, Trial* trial) {
   trial->seed = static_cast<std::uint64_t>(hdf5::GetInteger(demo, "seed", file));
+  if (H5Aexists(demo, "name") > 0) trial->name = hdf5::GetText(demo, "name", file);
   trial->task = hdf5::GetText(demo, "task", file);
   trial->outcome = hdf5::GetText(demo, "outcome", file);
   trial->reason = hdf5::GetText(demo, "reason", file);
@@ -239,30 +92,37 @@ Kind KindOf(hid_t demo, const std::string& file) {
           hdf5::GetInteger(demo, "num_actions", file)};
 }
 
-std::map<std::uint64_t, std::string> PartsBySeed(const std::vector<std::string>& parts) {
-  std::map<std::uint64_t, std::string> by_seed;
-  for (const std::string& part : parts) {
-    const TrialFile file(part);
-    for (const std::uint64_t seed : file.seeds()) {
+/// Where a trial that is to be packed lies, and its part.
+struct Source {
+  std::string file;
+  Split part = Split::kTrain;
+};
+using Sources = std::map<std::uint64_t, Source>;
+
+Sources SourcesBySeed(const std::vector<std::string>& files) {
+  Sources by_seed;
+  for (const std::string& name : files) {
+    const TrialFile file(name);
+    for (std::size_t i = 0; i < file.size(); ++i) {
+      const std::uint64_t seed = file.seeds()[i];
       if (seed > kLastCollectionSeed) {
-        throw DataError(part + ": seed " + std::to_string(seed) +
+        throw DataError(name + ": seed " + std::to_string(seed) +
                         " is kept for tuning or evaluation; data sets take 0 to 999,999");
       }
-      if (!by_seed.emplace(seed, part).second) {
-        throw DataError(part + ": seed " + std::to_string(seed) + " is also in " + by_seed[seed] +
-                        "; give each trial once");
+      if (!by_seed.emplace(seed, Source{name, file.part(i)}).second) {
+        throw DataError(name + ": seed " + std::to_string(seed) + " is also in " +
+                        by_seed[seed].file + "; give each trial once");
       }
     }
   }
   return by_seed;
 }
 
-std::map<std::uint64_t, std::string> Chosen(const std::map<std::uint64_t, std::string>& by_seed,
-                                            const PackChoice& choice) {
-  std::map<std::uint64_t, std::string> chosen;
+Sources Chosen(const Sources& by_seed, const PackChoice& choice) {
+  Sources chosen;
   for (const auto& trial : by_seed) {
     if (chosen.size() == choice.most) break;
-    if (!choice.split || SplitOf(trial.first) == *choice.split) chosen.insert(trial);
+    if (!choice.split || trial.second.part == *choice.split) chosen.insert(trial);
   }
   if (chosen.empty()) {
     throw DataError(by_seed.empty() ? "nothing to pack: no trials were given"
@@ -328,6 +188,7 @@ struct TrialFile::Impl {
   hdf5::Handle file;
   hdf5::Handle data;
   std::vector<std::uint64_t> seeds;
+  Parts parts;  // what the masks say
 
   explicit Impl(const std::string& name)
       : path(name), file(hdf5::OpenFile(name)), data(hdf5::OpenGroup(file, "data", name)) {
@@ -335,6 +196,7 @@ struct TrialFile::Impl {
       seeds.push_back(SeedOfName(link, path));
     }
     std::sort(seeds.begin(), seeds.end());
+    parts = ReadMasks(file, path);
   }
 
   hdf5::Handle OpenImages(std::uint64_t seed) const {
@@ -352,8 +214,16 @@ const std::string& TrialFile::path() const { return impl_->path; }
 std::size_t TrialFile::size() const { return impl_->seeds.size(); }
 const std::vector<std::uint64_t>& TrialFile::seeds() const { return impl_->seeds; }
 
+Split TrialFile::part(std::size_t i) const {
+  const std::uint64_t seed = impl_->seeds.at(i);
+  const auto said = impl_->parts.find(seed);
+  return said == impl_->parts.end() ? SplitOf(seed) : said->second;
+}
+
 Trial TrialFile::ReadLabels(std::size_t i) const {
-  return ReadDemoLabels(impl_->data, impl_->seeds.at(i), impl_->path);
+  Trial trial = ReadDemoLabels(impl_->data, impl_->seeds.at(i), impl_->path);
+  trial.split = part(i);
+  return trial;
 }
 
 Trial TrialFile::Read(std::size_t i) const {
@@ -400,6 +270,7 @@ std::string TrialFile::ContentHash() const {
                              "/" + trial.world_version + "/" + trial.task_hash + "/" +
                              std::to_string(trial.width) + "x" + std::to_string(trial.height);
     add(text);
+    if (trial.part() != SplitOf(trial.seed)) add(std::string(SplitName(trial.part())));
     add(trial.actions);
     add(trial.segment);
     add(trial.present);
@@ -416,7 +287,7 @@ void WriteTrialFile(const std::string& path, const Trial& trial) {
     hdf5::Handle data = hdf5::CreateGroup(file, "data", path);
     WriteDemo(data, trial, path);
     WriteDataAttributes(data, trial, trial.frames(), path);
-    WriteMasks(file, {trial.seed}, path);
+    WriteMasks(file, {{trial.seed, trial.part()}}, path);
     target.Write(hdf5::ImageOf(file, path));
   }
   target.Commit();
@@ -425,43 +296,40 @@ void WriteTrialFile(const std::string& path, const Trial& trial) {
 namespace {
 
 // About what a data set of these trials needs, and no less if they are all of their files.
-std::uintmax_t PackedBytes(const std::map<std::uint64_t, std::string>& by_seed) {
+std::uintmax_t PackedBytes(const Sources& by_seed) {
   constexpr std::uintmax_t kOnce = 1 << 20, kEach = 256;  // masks, and names in the tree
   std::map<std::string, std::size_t> trials;
-  for (const auto& [seed, part] : by_seed) ++trials[part];
+  for (const auto& [seed, source] : by_seed) ++trials[source.file];
   std::uintmax_t bytes = kOnce + kEach * by_seed.size();
-  for (const auto& [part, count] : trials) {
-    bytes += fs::file_size(part) * count / TrialFile(part).size();
+  for (const auto& [file, count] : trials) {
+    bytes += fs::file_size(file) * count / TrialFile(file).size();
   }
   return bytes;
 }
 
 }  // namespace
 
-std::string TemporaryName(const std::string& path, int pid) {
-  return path + ".tmp" + std::to_string(pid);
-}
-
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
                            const PackChoice& choice) {
-  const std::map<std::uint64_t, std::string> by_seed = Chosen(PartsBySeed(parts), choice);
+  const Sources by_seed = Chosen(SourcesBySeed(parts), choice);
   const AtomicFile target(out);
   {
     hdf5::Handle file = hdf5::CreateFile(target.temporary());
     target.Reserve(PackedBytes(by_seed));
     hdf5::Handle data = hdf5::CreateGroup(file, "data", out);
     Packer packer(data, out);
-    std::vector<std::uint64_t> seeds;
-    for (const auto& [seed, part] : by_seed) {
-      packer.Copy(seed, part);
-      seeds.push_back(seed);
+    Parts masks;
+    for (const auto& [seed, source] : by_seed) {
+      packer.Copy(seed, source.file);
+      masks.emplace(seed, source.part);
     }
-    const auto& [first_seed, first_part] = *by_seed.begin();
-    hdf5::Handle source = hdf5::OpenFile(first_part);
-    hdf5::Handle source_data = hdf5::OpenGroup(source, "data", first_part);
-    WriteDataAttributes(data, ReadDemoLabels(source_data, first_seed, first_part), packer.frames(),
+    const std::uint64_t first_seed = by_seed.begin()->first;
+    const std::string& first_file = by_seed.begin()->second.file;
+    hdf5::Handle source = hdf5::OpenFile(first_file);
+    hdf5::Handle source_data = hdf5::OpenGroup(source, "data", first_file);
+    WriteDataAttributes(data, ReadDemoLabels(source_data, first_seed, first_file), packer.frames(),
                         out);
-    WriteMasks(file, seeds, out);
+    WriteMasks(file, masks, out);
     hdf5::Check(H5Fflush(file, H5F_SCOPE_GLOBAL), out, "cannot be written; is the disk full?");
   }
   target.Trim();
@@ -491,7 +359,7 @@ void Count(const Trial& trial, std::map<std::string, std::size_t>* causes,
   } else {
     ++(*causes)[trial.reason];
   }
-  switch (SplitOf(trial.seed)) {
+  switch (trial.part()) {
     case Split::kTrain:
       ++summary->train;
       break;

@@ -19,8 +19,10 @@
 ///   data/demo_SEED/actions            int32 [N,1], index into the action table, num_actions = none
 ///   data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
 ///   data/demo_SEED/dones              uint8 [N]     present int32 [A]   segment_succeeded int8 [S]
-///   data/demo_SEED                    attributes num_samples, seed, task, outcome, reason, ...
-///   mask/train, mask/valid, mask/test names of the trials of each part
+///   data/demo_SEED                    attributes num_samples, seed, task, outcome, reason, ...,
+///                                     name (only where trials have names of their own)
+///   mask/train, mask/valid, mask/test names of the trials of each part; a trial in none of them is
+///                                     in the part of its seed (SplitOf)
 ///
 /// A collector writes one file a trial (an HDF5 file whose writer was killed does not open), and
 /// packs the whole ones into one data set. libhdf5 is not thread-safe: use these functions from one
@@ -83,6 +85,8 @@ class TrialFile {
   std::size_t size() const;                         ///< number of trials
   const std::vector<std::uint64_t>& seeds() const;  ///< ascending; trial i has seeds()[i]
 
+  /// The part that trial `i` (0..size()-1) is in.
+  Split part(std::size_t i) const;
   /// Trial `i` (0..size()-1) with its clean images. Throws DataError if it is damaged.
   Trial Read(std::size_t i) const;
   /// Trial `i` without images (`images` empty): labels and attributes only.

@@ -8,6 +8,7 @@ namespace prospect::model::hdf5 {
 namespace {
 
 constexpr std::size_t kLongestText = 1 << 20;  // an attribute longer than this is damage
+constexpr std::size_t kLongestName = 256;      // so is a name in a mask
 constexpr hsize_t kLongestExtent = 1 << 22;    // and rows beyond this: no trial has so many frames
 
 template <typename T>
@@ -239,6 +240,27 @@ void WriteStrings(hid_t group, const std::string& name, const std::vector<std::s
   if (values.empty()) return;
   Check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()), file,
         "cannot write '" + name + "'");
+}
+
+std::vector<std::string> ReadStrings(hid_t group, const std::string& name,
+                                     const std::string& file) {
+  Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, file,
+             "'" + name + "' is missing; not a data set of ours, or damaged");
+  Handle type(H5Dget_type(set), H5Tclose, file, "type of '" + name + "'");
+  const std::size_t size = H5Tget_size(type);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || size > kLongestName)
+    Fail(file, "'" + name + "' does not hold short texts of one length; not ours, or damaged");
+  Handle space(H5Dget_space(set), H5Sclose, file, "space of '" + name + "'");
+  std::vector<std::string> values(CheckedCount(space, {0}, name, file));
+  std::string flat(values.size() * size, '\0');
+  if (values.empty()) return values;
+  Check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()), file,
+        "cannot read '" + name + "'; damaged");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string text = flat.substr(i * size, size);
+    values[i] = text.substr(0, text.find('\0'));
+  }
+  return values;
 }
 
 void SetText(hid_t object, const std::string& name, const std::string& value,

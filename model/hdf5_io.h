@@ -56,6 +56,8 @@ std::vector<T> Read(hid_t group, const std::string& name, const std::vector<hsiz
 
 void WriteStrings(hid_t group, const std::string& name, const std::vector<std::string>& values,
                   const std::string& file);
+/// What WriteStrings() wrote.
+std::vector<std::string> ReadStrings(hid_t group, const std::string& name, const std::string& file);
 
 void SetText(hid_t object, const std::string& name, const std::string& value,
              const std::string& file);

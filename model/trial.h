@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace prospect::model {
 inline constexpr std::uint64_t kFirstCollectionSeed = 0;
 inline constexpr std::uint64_t kLastCollectionSeed = 999'999;
 
-/// The part of a data set that a trial belongs to. It is a fixed function of the trial's seed, so a
-/// trial never moves from one part to another when a data set grows or is packed anew.
+/// The part of a data set that a trial belongs to. For trials that are made it is a fixed function
+/// of the seed, so a trial never moves from one part to another when a data set grows or is packed
+/// anew; data sets of people's videos hold out trials or a person by their masks instead.
 enum class Split { kTrain, kValid, kTest };
 
 /// A tenth of the seeds is test, a tenth validation, the rest training (by a hash of the seed).
@@ -33,11 +35,14 @@ const char* SplitName(Split split);
 /// clean images compress ten times better.
 struct Trial {
   std::uint64_t seed = 0;  ///< the scene and its noise; kFirstCollectionSeed..kLastCollectionSeed
-  std::string task;        ///< "navigation", ...
-  std::string outcome;     ///< "success" or "failure"
-  std::string reason;      ///< why it failed, e.g. "time" or "collision(barrel)"; empty on success
-  int width = 0;           ///< pixels
-  int height = 0;          ///< pixels
+  std::string name;        ///< where trials have names of their own, such as "Suturing_B001"
+  /// The part of the data set that its masks put the trial in; nothing: SplitOf(seed).
+  std::optional<Split> split;
+  std::string task;     ///< "navigation", ...
+  std::string outcome;  ///< "success" or "failure"
+  std::string reason;   ///< why it failed, e.g. "time" or "collision(barrel)"; empty on success
+  int width = 0;        ///< pixels
+  int height = 0;       ///< pixels
   double tick_seconds = 0.1;  ///< simulated seconds between frames
   double image_noise = 0.0;   ///< sigma of the sensor noise to add, as a share of full range (255)
   double light = 1.0;         ///< factor on the light, drawn once a trial; already in the images
@@ -66,6 +71,7 @@ struct Trial {
   std::vector<std::int8_t>
       segment_succeeded;  ///< per segment 1 if it met its end condition, else 0
 
+  Split part() const { return split.value_or(SplitOf(seed)); }
   int frames() const { return static_cast<int>(actions.size()); }
   int segments() const { return static_cast<int>(segment_succeeded.size()); }
   int null_action() const { return num_actions; }

@@ -134,7 +134,7 @@ void AddTrial(const Trial& trial, std::size_t index, int mids_per_segment, Sampl
   TrialSample sample;
   sample.seed = trial.seed;
   sample.index = index;
-  sample.split = SplitOf(trial.seed);
+  sample.split = trial.part();
   sample.succeeded = trial.succeeded();
   sample.first = slots.Of(0);
   sample.present = trial.present;

@@ -3,11 +3,18 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "model/jigsaws/gestures.h"
 #include "sim/task_factory.h"
 
 namespace prospect::tools {
 
 ActionTable::ActionTable(const model::Trial& trial) {
+  if (model::jigsaws::IsGestureTask(trial.task) && trial.num_actions == model::jigsaws::kGestures) {
+    for (int action = 0; action < model::jigsaws::kGestures; ++action) {
+      names_.push_back(model::jigsaws::GestureName(action));
+    }
+    return;
+  }
   try {
     const auto task = sim::MakeTask(trial.task);
     char hash[17];

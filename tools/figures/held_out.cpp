@@ -10,7 +10,7 @@ namespace prospect::figures {
 
 HeldOut::HeldOut(const std::string& path) : file_(path) {
   for (std::size_t i = 0; i < file_.size(); ++i) {
-    if (model::SplitOf(file_.seeds()[i]) == model::Split::kTest) trials_.push_back(i);
+    if (file_.part(i) == model::Split::kTest) trials_.push_back(i);
   }
   if (trials_.empty()) {
     throw model::DataError(path + ": has no test trials (a tenth of the seeds, by their hash); " +

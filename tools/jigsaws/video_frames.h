@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace prospect::tools {
+
+// A video read once from its beginning, in constant memory. One thread.
+class VideoFrames {
+ public:
+  // Throws model::DataError naming the file if it is missing or no video that OpenCV reads.
+  explicit VideoFrames(const std::string& path);
+  ~VideoFrames();
+  VideoFrames(const VideoFrames&) = delete;
+  VideoFrames& operator=(const VideoFrames&) = delete;
+
+  // What the file says of itself; 30 if it says nothing sensible.
+  double frames_per_second() const;
+  // Frames of the file by its own count; what can be read may be less. 0: it does not say.
+  int frame_count() const;
+
+  // Goes on by one frame. False at the end, or where the file is damaged.
+  bool Next();
+  // The present frame, left camera as it is, as width x height x 3 bytes RGB. False if it is
+  // damaged.
+  bool Picture(int width, int height, std::vector<std::uint8_t>* rgb);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace prospect::tools
