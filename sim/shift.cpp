@@ -18,10 +18,10 @@ struct Factor {
 // Chosen on tuning scenes: from just outside what trials show to far away from it.
 const std::array<Factor, 4>& Factors() {
   static const std::array<Factor, 4> factors = {
-      Factor{"light", "light x %g", {0.8, 0.65, 0.5, 0.35, 0.2}},
+      Factor{"light", "light x %g", {0.8, 0.6, 0.4, 0.2, 0.1}},
       Factor{"camera", "camera turned by %g degrees", {1, 2, 4, 8, 16}},
       Factor{"colour", "hues turned by %g degrees", {10, 20, 40, 60, 90}},
-      Factor{"noise", "sensor noise of sigma %g", {0.02, 0.03, 0.05, 0.08, 0.12}}};
+      Factor{"noise", "sensor noise of sigma %g", {0.02, 0.04, 0.08, 0.16, 0.25}}};
   return factors;
 }
 

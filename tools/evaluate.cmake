@@ -10,6 +10,7 @@ if(NOT TARGET prospect_sim OR NOT TARGET prospect_training OR NOT TARGET prospec
 endif()
 set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/decider.cpp ${evaluate}/engine_model.cpp ${evaluate}/episode.cpp
+  ${evaluate}/novelty_gate.cpp ${evaluate}/open_loop.cpp ${evaluate}/record_file.cpp ${evaluate}/shift_sweep.cpp
   ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_scores.cpp
   ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
 prospect_target(prospect_evaluate_lib)

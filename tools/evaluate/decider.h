@@ -15,8 +15,9 @@ namespace prospect::tools {
 
 // What somebody who plans decided to do next.
 struct Decision {
-  int action = -1;   // -1: gives up; before the first action that is a refusal
-  double score = 0;  // of the plan that the action begins, 0..1; 0 where the decider has none
+  int action = -1;     // -1: gives up; before the first action that is a refusal
+  double score = 0;    // of the plan that the action begins, 0..1; 0 where the decider has none
+  planner::Path plan;  // the whole of it, the action first; empty where the decider has none
   std::string reason;
   std::int64_t evaluations = 0;
   std::int64_t rollouts = 0;

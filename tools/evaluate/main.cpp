@@ -20,11 +20,14 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
+#include "tools/evaluate/novelty_gate.h"
+#include "tools/evaluate/open_loop.h"
 #include "tools/evaluate/recovery.h"
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/scene_draw.h"
 #include "tools/evaluate/scene_runs.h"
 #include "tools/evaluate/search_deciders.h"
+#include "tools/evaluate/shift_options.h"
 
 namespace prospect::tools {
 namespace {
@@ -42,6 +45,7 @@ struct Options {
   int retries = 1;
   std::uint64_t seed = 2'000'000;
   sim::TaskOptions world;
+  ShiftOptions shift;
   planner::SearchParameters search;
   double threshold = -1;
   bool calibrate = false;
@@ -108,6 +112,7 @@ void AddOptions(CLI::App* app, Options* o) {
                   "With --calibrate: share of solvable scenes that may be refused")
       ->check(CLI::Range(0.0, 0.5))
       ->capture_default_str();
+  AddShiftOptions(app, &o->shift);
   app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
 }
@@ -136,6 +141,7 @@ class Bench {
       : options_(options),
         task_(sim::MakeTask(options.task, options.world)),
         engine_(model::LoadSearchEngine(options.weights, 1)),
+        gauge_(model::NoveltyGauge::Load(options.weights)),
         cache_(KeyOf(options, *task_)) {
     if (!options.goal.empty()) {
       sim::OracleKey key = KeyOf(options, *task_);
@@ -145,7 +151,11 @@ class Bench {
     planner::SearchParameters search = options.search;
     search.refusal_threshold =
         options.threshold >= 0 ? options.threshold : engine_->info().refusal_threshold;
-    for (const std::string& row : options.rows) deciders_.emplace_back(row, Make(row, search));
+    for (const std::string& row : options.rows) {
+      std::unique_ptr<Decider> decider = Make(row, search);
+      if (options.shift.open_loop) decider = MakeOpenLoop(std::move(decider));
+      deciders_.emplace_back(row, std::move(decider));
+    }
   }
 
   SceneRecord Run(std::uint64_t seed) {
@@ -196,19 +206,26 @@ class Bench {
   std::unique_ptr<Decider> Make(const std::string& row, const planner::SearchParameters& search) {
     const Goal& goal = options_.goal;
     const int retries = options_.retries;
-    if (row == "planner") return MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries);
+    if (row == "planner")
+      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries));
     if (const std::optional<int> samples = SamplesOf(row)) {
       planner::SearchParameters other = search;
       other.samples = *samples;
-      return MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries);
+      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries));
     }
     if (row == "exhaustive")
-      return MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries);
-    if (row == "greedy") return MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal);
+      return Gated(MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries));
+    if (row == "greedy") return Gated(MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal));
     if (row == "simulator_model") return MakeSimulatorModel(search, goal, retries);
     if (row == "random") return MakeRandom(goal);
     if (row == "nothing") return MakeNothing();
     throw std::logic_error("row " + row + " was checked before");
+  }
+
+  // Whatever the networks say of a picture that they cannot know means nothing.
+  std::unique_ptr<Decider> Gated(std::unique_ptr<Decider> decider) {
+    if (!gauge_ || options_.shift.novelty <= 0) return decider;
+    return MakeNoveltyGate(std::move(decider), engine_.get(), *gauge_, options_.shift.novelty);
   }
 
   static json ToJson(const EpisodeRecord& record) {
@@ -222,6 +239,7 @@ class Bench {
   Options options_;
   std::unique_ptr<sim::Task> task_;
   std::unique_ptr<model::Engine> engine_;
+  std::optional<model::NoveltyGauge> gauge_;
   sim::OracleCache cache_;
   std::optional<sim::OracleCache> goal_cache_;
   std::vector<std::pair<std::string, std::unique_ptr<Decider>>> deciders_;
@@ -240,6 +258,11 @@ void CheckInputs(const Options& options) {
   planner::MakeSelectionRule(options.search.rule, 1, 1);
   RulesOf(sim::MakeTask(options.task, options.world)->spec(), options.goal);
   RequireWeightsOf(options.task, options.weights);
+  if (options.shift.novelty > 0 && !model::NoveltyGauge::Load(options.weights)) {
+    std::cerr << "prospect-evaluate: " << options.weights
+              << " holds nothing of known pictures: none is refused as unlike them "
+                 "(--calibrate-novelty)\n";
+  }
 }
 
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
@@ -248,6 +271,8 @@ void PrepareCalibration(Options* options) {
     throw std::invalid_argument("--calibrate is for the task's own goal: leave --goal out");
   options->rows = {"planner"};
   options->threshold = 0;
+  options->shift = {};
+  options->shift.novelty = 0;
   if (options->seed == 2'000'000) options->seed = 1'500'000;
   if (options->seed < 1'500'000 || options->seed + options->scenes > 2'000'000) {
     throw std::invalid_argument(
@@ -295,6 +320,7 @@ int Main(int argc, char** argv) {
   }
   if (app.count("--goal") > 0) options.goal = planner::ParseGoal(options.goal_text);
   if (options.calibrate) PrepareCalibration(&options);
+  ApplyShift(options.shift, &options.world);
   if (options.rows.empty() || options.rows.front() != "planner")
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
@@ -314,6 +340,10 @@ int Main(int argc, char** argv) {
   summary["objects"] = options.world.objects;
   summary["legs"] = options.world.legs;
   summary["samples"] = options.search.samples;
+  summary["factor"] = options.shift.factor;
+  summary["strength"] = options.shift.strength;
+  summary["open_loop"] = options.shift.open_loop;
+  summary["novelty"] = options.shift.novelty;
   summary["records"] = scenes;
   try {
     WriteJsonFile(options.json_file, summary, 1);

@@ -70,6 +70,7 @@ class Searching : public Decider {
     });
     decision.action = next.action;
     decision.score = next.plan.best.score;
+    if (next.plan.ok()) decision.plan = next.plan.best.path;
     decision.reason = next.plan.reason;
     decision.anew = next.kind == planner::NextStep::Kind::kAnew;
     decision.carried_on = next.kind == planner::NextStep::Kind::kCarryOn;
@@ -143,6 +144,7 @@ class Greedy : public Decider {
     Decision decision;
     decision.reason = "nothing is permitted";
     if (!plan.empty()) decision.action = plan.front();
+    decision.plan = plan;
     decision.evaluations = model_.evaluations();
     return decision;
   }
