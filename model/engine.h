@@ -36,7 +36,14 @@ struct EngineInfo {
   int image_width = 0, image_height = 0;
   int hidden_size = 0;
   double refusal_threshold = 0;  ///< calibration: plans that score below it are to be refused
+  /// False: the weights hold no V, Q, p and f, so they predict pictures and nothing can be
+  /// searched. Evaluate and Expand then answer 0 for all four.
+  bool judges = true;
 };
+
+/// What is said where a search is asked of an engine that does not judge.
+inline constexpr const char* kPicturesOnly =
+    "these weights predict pictures only: they hold no V, Q, p and f to search with";
 
 /// The learned models as the rest of the system uses them: the paper's f_enc, f_dec, T, V, Q, p, f,
 /// C.
@@ -88,5 +95,8 @@ class Engine {
 /// threads (at least 1), each row on one. Throws WeightsError (model/weights_error.h) naming file
 /// and reason.
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads);
+
+/// The same for a search: weights that predict pictures only are a WeightsError, too.
+std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads);
 
 }  // namespace prospect::model

@@ -31,7 +31,8 @@ NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
 
 EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
   EngineInfo info;
-  info.engine = "torch";
+  info.judges = HasModule(file, "value") || HasModule(file, "q");
+  info.engine = info.judges ? "torch" : "torch, pictures only";
   info.task = file.metadata.value("task", "");
   info.task_hash = file.metadata.value("task_hash", "");
   info.num_actions = config.num_actions;
@@ -99,7 +100,7 @@ class TorchEngine : public Engine {
   }
 
   std::vector<float> Classify(const std::uint8_t* rgb) override {
-    if (!has_classifier_) return {};
+    if (!networks_.has_classifier) return {};
     const std::lock_guard<std::mutex> lock(mutex_);
     const c10::InferenceMode inference;
     return ToVector(torch::softmax(networks_.classifier->forward(Picture(rgb)), 1));
@@ -117,10 +118,11 @@ class TorchEngine : public Engine {
         compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
         pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {
     at::set_num_threads(1);  // rows are the parallelism
+    networks_.has_classifier = HasModule(file, "classifier");
+    networks_.has_second_classifier = HasModule(file, "second_classifier");
+    networks_.has_heads = info_.judges;
     for (const auto& [prefix, module] : networks_.named()) {
-      const bool optional = prefix == "classifier" || prefix == "second_classifier";
-      if (!optional || HasModule(file, prefix)) LoadModule(file, path, prefix, module);
-      if (prefix == "classifier") has_classifier_ = HasModule(file, prefix);
+      if (networks_.Has(prefix)) LoadModule(file, path, prefix, module);
     }
     networks_.SetTraining(false);
     fingerprint_ = Probe();
@@ -179,6 +181,11 @@ class TorchEngine : public Engine {
   Prediction Judge(const torch::Tensor& h0, const torch::Tensor& h, int action, bool imagined) {
     const torch::Tensor a = torch::full({1}, action, torch::kLong);
     Prediction answer;
+    if (!info_.judges) {
+      const std::vector<float> none(static_cast<std::size_t>(info_.num_actions), 0.0F);
+      answer.q = answer.p = none;
+      return answer;
+    }
     answer.value = torch::sigmoid(networks_.value->forward(h)).item<float>();
     answer.done = imagined ? torch::sigmoid(networks_.f->forward(h0, h, a)).item<float>() : 1.0F;
     answer.q = ToVector(torch::sigmoid(networks_.q->forward(h0, h, a)));
@@ -205,7 +212,6 @@ class TorchEngine : public Engine {
   std::uint64_t weights_hash_ = 0;
   bool compose_ = true;  // pictures keep what was seen where nothing changes
   std::uint64_t fingerprint_ = 0;
-  bool has_classifier_ = false;
   std::mutex mutex_;  // one question at a time; the pool spreads its rows
   RowPool pool_;
 };
@@ -214,6 +220,12 @@ class TorchEngine : public Engine {
 
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads) {
   return std::make_unique<TorchEngine>(path, threads);
+}
+
+std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads) {
+  std::unique_ptr<Engine> engine = LoadTorchEngine(path, threads);
+  if (!engine->info().judges) throw WeightsError(path + ": " + kPicturesOnly);
+  return engine;
 }
 
 }  // namespace prospect::model

@@ -101,7 +101,9 @@ class Tables {
           "VARIANT/" +
           a.task + ".safetensors inside");
     }
-    if (a_.judge.empty()) a_.judge = model::ClassifiersPath(first_);
+    if (a_.judge.empty() && model::ReadsLabels(model::ReadWeights(first_))) {
+      a_.judge = model::ClassifiersPath(first_);
+    }
     data_hash_ = model::TrialFile(a.data.path).ContentHash();
     fs::create_directories(a.out + "/rows");
     at::set_num_threads(1);  // trials are the parallelism
@@ -109,8 +111,10 @@ class Tables {
 
   void Run() {
     const LoadedModel first = Load(first_, a_.task);
-    judge_ = first.networks.second_classifier;
-    model::LoadModule(a_.judge, "second_classifier", judge_.ptr().get());
+    if (!a_.judge.empty()) {
+      judge_ = first.networks.second_classifier;
+      model::LoadModule(a_.judge, "second_classifier", judge_.ptr().get());
+    }
     AddBaselines(first.networks);
     for (const Candidate& candidate : candidates_) AddModel(candidate);
     Write();
@@ -119,11 +123,11 @@ class Tables {
  private:
   // Everything that a row depends on.
   std::string KeyOf(const std::string& what, const std::string& weights) const {
-    const nlohmann::json key = {"row-2",
+    const nlohmann::json key = {"row-3",
                                 what,
                                 model::WeightsFileHash(weights),
                                 data_hash_,
-                                model::WeightsFileHash(a_.judge),
+                                a_.judge.empty() ? 0 : model::WeightsFileHash(a_.judge),
                                 a_.data.every,
                                 a_.data.trials,
                                 a_.data.paper_tail};
@@ -181,11 +185,12 @@ class Tables {
                        "): one example a frame during an action";
     if (a_.data.every > 1) text += ", every " + std::to_string(a_.data.every) + "th of them";
     text += a_.data.paper_tail ? ", last actions twice" : ", last actions left out";
+    text += ". Errors against the clean goal pictures; ";
+    text += a_.judge.empty() ? "nobody reads labels."
+                             : "labels read by a second classifier that is in no loss.";
     return text +
-           ". Errors against the clean goal pictures; labels read by a second classifier "
-           "that is in no loss. Brackets: 95 % by drawing trials anew. 'Composed' keeps what was "
-           "seen where decoding shows no change; it and C's own label are taken of every fifth "
-           "example.\n";
+           " Brackets: 95 % by drawing trials anew. 'Composed' keeps what was seen where decoding "
+           "shows no change; it and C's own label are taken of every fifth example.\n";
   }
 
   void Write() const {

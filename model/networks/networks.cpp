@@ -26,6 +26,16 @@ std::vector<std::pair<std::string, torch::nn::Module*>> Networks::named() const 
           {"second_classifier", second_classifier.ptr().get()}};
 }
 
+bool Networks::Has(const std::string& name) const {
+  if (name == "classifier") return has_classifier;
+  if (name == "second_classifier") return has_second_classifier;
+  return has_heads || !IsHead(name);
+}
+
+bool IsHead(const std::string& name) {
+  return name == "value" || name == "q" || name == "p" || name == "f";
+}
+
 void Networks::SetTraining(bool on) const {
   for (const auto& [name, module] : named()) module->train(on);
 }

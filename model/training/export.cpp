@@ -22,6 +22,11 @@ json StagesOf(const Trainer& trainer) {
   return stages;
 }
 
+json CalibrationBy(const json& scores) {
+  if (!scores.contains("plan")) return json::object();
+  return {{"refusal_threshold", scores["plan"]["threshold"]}};
+}
+
 json MetadataOf(const Trainer& trainer, const json& scores) {
   const TrainContext& context = trainer.context();
   return {{"format", "prospect-weights-1"},
@@ -39,7 +44,7 @@ json MetadataOf(const Trainer& trainer, const json& scores) {
           {"data_hash", trainer.data_hash()},
           {"code_version", PROSPECT_VERSION},
           {"scores", scores},
-          {"calibration", {{"refusal_threshold", scores["plan"]["threshold"]}}}};
+          {"calibration", CalibrationBy(scores)}};
 }
 
 bool IsClassifier(const std::string& name) {
@@ -54,13 +59,21 @@ std::string ClassifiersPath(const std::string& weights) {
       .string();
 }
 
+bool ReadsLabels(const WeightsFile& weights) {
+  const json train = weights.metadata.value("train", json::object());
+  const json classifier = train.value("classifier", json::object());
+  return classifier.value("iterations", 1) > 0;
+}
+
 void LoadNetworks(const std::string& weights, Networks* networks) {
   const WeightsFile planning = ReadWeights(weights);
   const std::string beside = ClassifiersPath(weights);
-  const WeightsFile classifiers = ReadWeights(beside);
+  const WeightsFile classifiers = ReadsLabels(planning) ? ReadWeights(beside) : WeightsFile();
   networks->has_classifier = HasModule(classifiers, "classifier");
+  networks->has_second_classifier = ReadsLabels(planning);
+  networks->has_heads = HasModule(planning, "value");
   for (const auto& [name, module] : networks->named()) {
-    if (name == "classifier" && !networks->has_classifier) continue;
+    if (!networks->Has(name)) continue;
     const bool here = HasModule(planning, name);
     module->to(torch::kCPU);
     LoadModule(here ? planning : classifiers, here ? weights : beside, name, module);
@@ -72,26 +85,28 @@ void BundleWeights(const std::string& weights, const std::string& folder) {
   const std::filesystem::path to =
       std::filesystem::path(folder) / std::filesystem::path(weights).filename();
   std::filesystem::create_directories(folder);
+  const WeightsFile planning = ReadWeights(weights);
+  WriteWeights(to.string(), planning.tensors, planning.metadata);
+  if (!ReadsLabels(planning)) return;
   WeightsFile classifiers = ReadWeights(ClassifiersPath(weights));
   const auto is_c = [](const std::string& name) { return name.rfind("classifier.", 0) == 0; };
   for (auto it = classifiers.tensors.begin(); it != classifiers.tensors.end();) {
     it = is_c(it->first) ? classifiers.tensors.erase(it) : std::next(it);
   }
-  const WeightsFile planning = ReadWeights(weights);
   WriteWeights(ClassifiersPath(to.string()), classifiers.tensors, classifiers.metadata);
-  WriteWeights(to.string(), planning.tensors, planning.metadata);
 }
 
 std::string ExportWeights(const Trainer& trainer, const json& scores) {
   const TrainContext& context = trainer.context();
   std::map<std::string, torch::Tensor> planning, classifiers;
   for (const auto& [name, module] : context.networks.named()) {
+    if (!context.networks.Has(name)) continue;
     CollectTensors(name, *module, IsClassifier(name) ? &classifiers : &planning);
   }
   const json metadata = MetadataOf(trainer, scores);
   const std::string weights =
       trainer.weights_folder() + "/" + context.samples.task + ".safetensors";
-  WriteWeights(ClassifiersPath(weights), classifiers, metadata);
+  if (!classifiers.empty()) WriteWeights(ClassifiersPath(weights), classifiers, metadata);
   WriteWeights(weights, planning, metadata);
   return weights;
 }

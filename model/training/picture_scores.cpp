@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/training/parallel.h"
+#include "model/training/picture_measures.h"
 
 namespace prospect::model {
 namespace {
@@ -17,9 +18,12 @@ constexpr double kChanged = 0.1;  // a pixel counts as changed from here on (any
 /// Sums of absolute errors of one kind of picture against noisy and clean goals.
 struct ErrorSums {
   double noisy = 0, noisy_changed = 0, clean = 0, clean_changed = 0;
+  double psnr = 0, ssim = 0;
 
   void Add(const torch::Tensor& x, const torch::Tensor& goal, const torch::Tensor& clean_goal,
            const torch::Tensor& changed) {
+    psnr += Psnr(x, goal).item<double>();
+    ssim += Ssim(x, goal).item<double>();
     const torch::Tensor to_goal = (x - goal).abs();
     const torch::Tensor to_clean = (x - clean_goal).abs();
     noisy += to_goal.sum().item<double>();
@@ -32,8 +36,13 @@ struct ErrorSums {
     noisy_changed += o.noisy_changed;
     clean += o.clean;
     clean_changed += o.clean_changed;
+    psnr += o.psnr;
+    ssim += o.ssim;
   }
-  void Write(const std::string& prefix, double values, double changed_values, json* out) const {
+  void Write(const std::string& prefix, double values, double changed_values, double samples,
+             json* out) const {
+    (*out)[prefix + "psnr"] = psnr / samples;
+    (*out)[prefix + "ssim"] = ssim / samples;
     (*out)[prefix + "mae"] = noisy / values;
     (*out)[prefix + "mae_changed"] = noisy_changed / changed_values;
     (*out)[prefix + "mae_clean"] = clean / values;
@@ -69,9 +78,10 @@ struct StepSums {
   json Pictures() const {
     const double all = std::max(1.0, values), changed = std::max(1.0, changed_values);
     json out = {{"samples", samples}, {"noise_floor", noise / all}};
-    predicted.Write("", all, changed, &out);
-    copied.Write("copy_", all, changed, &out);
-    reconstructed.Write("reconstruction_", all, changed, &out);
+    const double pictures = std::max(1, samples);
+    predicted.Write("", all, changed, pictures, &out);
+    copied.Write("copy_", all, changed, pictures, &out);
+    reconstructed.Write("reconstruction_", all, changed, pictures, &out);
     return out;
   }
   json Labels(bool with_c) const {
@@ -150,7 +160,7 @@ class ChainScorer {
     sums->values += static_cast<double>(goal.numel());
     sums->changed_values += 3.0 * changed.sum().item<double>();
     ++sums->samples;
-    if (step.succeeded) ScoreLabels(x, goal, step.action, sums);
+    if (step.succeeded && networks_.has_second_classifier) ScoreLabels(x, goal, step.action, sums);
   }
 
   void ScoreLabels(const torch::Tensor& x, const torch::Tensor& goal, int action, StepSums* sums) {
@@ -207,10 +217,13 @@ json ScorePictures(const ScoredSplit& split, const TrialFile& file, std::size_t 
   for (const ChainSums& one : sums) {
     for (std::size_t k = 0; k < 2; ++k) total[k].Add(one[k]);
   }
-  const bool with_c = split.context().networks.has_classifier;
-  return {{"chains", segments.size()},
-          {"pictures", {{"x1", total[0].Pictures()}, {"x2", total[1].Pictures()}}},
-          {"labels", {{"x1", total[0].Labels(with_c)}, {"x2", total[1].Labels(with_c)}}}};
+  json scores = {{"chains", segments.size()},
+                 {"pictures", {{"x1", total[0].Pictures()}, {"x2", total[1].Pictures()}}}};
+  const Networks& networks = split.context().networks;
+  if (!networks.has_second_classifier) return scores;
+  const bool with_c = networks.has_classifier;
+  scores["labels"] = {{"x1", total[0].Labels(with_c)}, {"x2", total[1].Labels(with_c)}};
+  return scores;
 }
 
 }  // namespace prospect::model

@@ -68,6 +68,17 @@ void PrintPictures(const json& scores) {
   }
 }
 
+void PrintLikeness(const json& scores) {
+  std::printf("%-28s %10s %10s %14s\n", "pictures, likeness", "T", "copying x", "enc-dec(goal)");
+  for (const char* step : {"x1", "x2"}) {
+    const json& s = scores["pictures"][step];
+    for (const std::string kind : {"psnr", "ssim"}) {
+      std::printf("  %s %-23s %10.3f %10.3f %14.3f\n", step, kind.c_str(), s[kind].get<double>(),
+                  s["copy_" + kind].get<double>(), s["reconstruction_" + kind].get<double>());
+    }
+  }
+}
+
 void PrintLabels(const json& scores) {
   std::printf("%-28s %10s %10s %14s %12s %10s\n", "label accuracy", "2nd class.", "C",
               "2nd on real", "C on real", "majority");
@@ -110,12 +121,15 @@ void PrintHeads(const json& scores) {
 
 json ComputeScores(const TrainContext& context, const TrialFile& file, int threads) {
   context.networks.SetTraining(false);
-  HeadJudgements valid;
-  if (!context.samples.TrialsOf(Split::kValid).empty()) {
-    valid = JudgeHeads(ScoredSplit(context, Split::kValid, kMostTrials, threads), threads);
-  }
   const ScoredSplit test(context, Split::kTest, kMostTrials, threads);
-  json scores = HeadScores(valid, JudgeHeads(test, threads));
+  json scores = json::object();
+  if (context.networks.has_heads) {
+    HeadJudgements valid;
+    if (!context.samples.TrialsOf(Split::kValid).empty()) {
+      valid = JudgeHeads(ScoredSplit(context, Split::kValid, kMostTrials, threads), threads);
+    }
+    scores = HeadScores(valid, JudgeHeads(test, threads));
+  }
   scores.update(ScorePictures(test, file, kMostChains, threads));
   scores["trials"] = test.trials().size();
   return scores;
@@ -124,8 +138,9 @@ json ComputeScores(const TrainContext& context, const TrialFile& file, int threa
 void PrintScores(const json& scores) {
   std::printf("Held-out scores (%zu test trials)\n", scores["trials"].get<std::size_t>());
   PrintPictures(scores);
-  PrintLabels(scores);
-  PrintHeads(scores);
+  PrintLikeness(scores);
+  if (scores.contains("labels")) PrintLabels(scores);
+  if (scores.contains("plan")) PrintHeads(scores);
 }
 
 void RoundToHalf(const Networks& networks) {

@@ -18,6 +18,9 @@ namespace prospect::model {
 ///     mae_clean, mae_changed_clean  against the clean goal picture
 ///     copy_*                the same four for copying the start picture x (the trivial answer)
 ///     reconstruction_*      the same four for decode(encode(goal)): the best T could reach
+///     psnr, ssim            means over pictures of the peak signal-to-noise ratio in dB and of the
+///                           structural similarity (picture_measures.h), against the noisy goal;
+///                           copy_*, reconstruction_* as above
 ///     noise_floor           clean against noisy goal: nothing can do better on `mae`
 ///     samples
 ///   labels.x1, .x2        of actions that succeeded: share of predicted pictures with the right label

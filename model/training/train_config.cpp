@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "model/jigsaws/gestures.h"
 #include "model/json_fields.h"
 
 namespace prospect::model {
@@ -69,13 +70,40 @@ TrainConfig Stacking() {
   return c;
 }
 
+// The paper's larger network (§III-A: a further stage of 64 channels on each side of T, with its
+// own skip) for the larger pictures of its third domain. Only T's own losses: the paper reads no
+// labels from these pictures.
+TrainConfig Gestures() {
+  TrainConfig c;
+  c.network.image_width = jigsaws::kWidth;
+  c.network.image_height = jigsaws::kHeight;
+  c.network.num_actions = jigsaws::kGestures;
+  c.network.transform_extra_stages = 1;
+  c.network.dropout = 0.0;
+  c.network.head_dropout = 0.2;
+  c.mids_per_segment = 8;  // few trials, long gestures
+  c.focus = 3.0;
+  c.classifier = {0, 8, 1e-3};
+  c.encoder_decoder = {4000, 8, 2e-3};
+  c.transform_hidden = {8000, 8, 1e-3};
+  c.transform_image = {1500, 8, 3e-4};
+  c.heads = {4000, 8, 1e-3};
+  c.heads_need_failures = true;
+  c.lambda = 0;
+  c.repeat_last = false;
+  c.compose = false;
+  return c;
+}
+
 }  // namespace
 
 TrainConfig TrainConfigFor(const std::string& task) {
   if (task == "navigation") return Navigation();
   if (task == "stacking") return Stacking();
+  if (jigsaws::IsGestureTask(task)) return Gestures();
   throw std::invalid_argument("task '" + task +
-                              "': no training configuration; known: navigation, stacking");
+                              "': no training configuration; known: navigation, stacking, "
+                              "suturing, knot_tying, needle_passing");
 }
 
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
@@ -152,6 +180,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"transform_hidden", c.transform_hidden},
           {"transform_image", c.transform_image},
           {"heads", c.heads},
+          {"heads_need_failures", c.heads_need_failures},
           {"lambda", c.lambda},
           {"linked_steps", c.linked_steps},
           {"repeat_last", c.repeat_last},
@@ -187,6 +216,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("transform_hidden", &c.transform_hidden)
       .Read("transform_image", &c.transform_image)
       .Read("heads", &c.heads)
+      .Read("heads_need_failures", &c.heads_need_failures)
       .Read("lambda", &c.lambda)
       .Read("linked_steps", &c.linked_steps)
       .Read("repeat_last", &c.repeat_last)

@@ -58,12 +58,16 @@ struct TrainConfig {
   /// which are shown in the light of the first picture, come out too dark or too bright. 0 = off.
   double gain_weight = 0.0;
 
-  StageConfig classifier;       ///< C, and the second classifier
+  StageConfig classifier;  ///< C, and the second classifier; 0 iterations: neither, unless begun
+                           ///< from weights
   StageConfig encoder_decoder;  ///< f_enc and f_dec
   StageConfig
       transform_hidden;  ///< beyond the paper: T against encodings of the goal pictures; may be 0
   StageConfig transform_image;  ///< the paper's loss of T through the frozen decoder
-  StageConfig heads;            ///< V, Q, p, f
+  /// V, Q, p, f; 0 iterations: none of them. They need failures: where all trials and actions of
+  /// the training part succeeded and `heads_need_failures`, they are left out as well.
+  StageConfig heads;
+  bool heads_need_failures = false;
 
   double lambda = 1e-3;  ///< weight of C's cross-entropy on the second picture (authors' code)
   int linked_steps = 2;  ///< transforms trained one after another (paper: 2)

@@ -61,6 +61,34 @@ void RequireParts(const TrialFile& file, const SampleSet& samples,
   }
 }
 
+/// Whether the training part has something for V, Q, p and f to learn from: a trial or an action
+/// that failed.
+bool HasFailures(const SampleSet& samples) {
+  for (const int t : samples.TrialsOf(Split::kTrain)) {
+    if (!samples.trials[static_cast<std::size_t>(t)].succeeded) return true;
+  }
+  for (const int s : samples.SegmentsOf(Split::kTrain)) {
+    if (!samples.segments[static_cast<std::size_t>(s)].succeeded) return true;
+  }
+  return false;
+}
+
+bool TrainsHeads(const TrainConfig& config, const SampleSet& samples, const std::string& from) {
+  if (config.heads.iterations == 0) return !from.empty() && HasModule(ReadWeights(from), "value");
+  return !config.heads_need_failures || HasFailures(samples);
+}
+
+/// Whether C and the second classifier are there: trained, or in the weights to begin from.
+bool HasClassifiers(const TrainConfig& config, const TrainOptions& options) {
+  const bool some = config.classifier.iterations > 0 ||
+                    (!options.from.empty() && ReadsLabels(ReadWeights(options.from)));
+  const bool needed = config.lambda > 0 && config.transform_image.iterations > 0;
+  if (!some && needed && !options.score_only) {
+    throw std::invalid_argument("lambda: needs C; give classifier.iterations above 0, or lambda 0");
+  }
+  return some;
+}
+
 void RequireSuccess(const TrialFile& file, const SampleSet& samples) {
   const std::vector<int> trials = samples.TrialsOf(Split::kTrain);
   for (const int t : trials) {
@@ -93,19 +121,23 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
   if (options.stages.empty()) {
     RequireParts(file, samples, {Split::kTrain, Split::kValid, Split::kTest});
   }
-  if (options.stages.empty() || options.stages.count("heads") > 0) RequireSuccess(file, samples);
+  const bool heads = options.stages.empty() || options.stages.count("heads") > 0;
+  if (heads && TrainsHeads(config, samples, options.from)) RequireSuccess(file, samples);
   return samples;
 }
 
 /// One network from a weights file, or from the classifiers' file beside it.
 void LoadNetwork(const std::string& weights, const std::string& prefix, torch::nn::Module* module) {
   const WeightsFile planning = ReadWeights(weights);
+  // Weights that predict pictures only: the judging networks begin afresh.
+  if (IsHead(prefix) && !HasModule(planning, "value")) return;
   const bool classifier = prefix == "classifier" || prefix == "second_classifier";
   if (!classifier || HasModule(planning, prefix)) {
     LoadModule(planning, weights, prefix, module);
     return;
   }
   const std::string beside = ClassifiersPath(weights);
+  if (!fs::exists(beside) && !ReadsLabels(planning)) return;
   const WeightsFile classifiers = ReadWeights(beside);
   // Bundled weights have no C: it begins afresh.
   if (prefix == "classifier" && !HasModule(classifiers, prefix)) return;
@@ -160,6 +192,9 @@ struct Trainer::Impl {
       context.landmarks = LandmarkReadout(c.network.hidden_channels, samples.num_landmarks,
                                           LandmarkReadoutImpl::kHiddenScale);
     }
+    context.networks.has_classifier = HasClassifiers(c, o);
+    context.networks.has_second_classifier = context.networks.has_classifier;
+    context.networks.has_heads = TrainsHeads(c, samples, o.from);
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) {
       from_hash = HexText(WeightsFileHash(o.from));
@@ -354,12 +389,17 @@ Trainer::~Trainer() = default;
 void Trainer::Run() {
   Impl& run = *impl_;
   Networks& networks = run.context.networks;
-  const bool heads = run.Wants("heads");
+  const bool labels = networks.has_classifier;
+  const bool heads = run.Wants("heads") && networks.has_heads;
   const bool transform = run.Wants("transform") || heads;
+  if (run.Wants("heads") && !heads) {
+    std::fprintf(stderr, "V, Q, p and f are left out: nothing failed in the training part\n");
+  }
   const bool judges =
       transform && run.config.transform_image.iterations > 0 && run.config.lambda > 0;
-  if (run.Wants("classifier") || judges) run.TrainClassifier("classifier", networks.classifier);
-  if (run.Wants("second-classifier")) {
+  if ((run.Wants("classifier") && labels) || judges)
+    run.TrainClassifier("classifier", networks.classifier);
+  if (run.Wants("second-classifier") && labels) {
     run.TrainClassifier("second-classifier", networks.second_classifier);
   }
   if (run.Wants("encoder-decoder") || transform) run.TrainEncoder();

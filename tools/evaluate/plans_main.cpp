@@ -59,7 +59,7 @@ class Bench {
   explicit Bench(const Options& options)
       : options_(options),
         task_(sim::MakeTask(options.task, options.world)),
-        engine_(model::LoadTorchEngine(options.weights, 1)),
+        engine_(model::LoadSearchEngine(options.weights, 1)),
         file_(options.outcomes.empty()
                   ? OutcomePath(task_->spec(), options.world, options.runs, options.most)
                   : options.outcomes) {}

@@ -5,21 +5,27 @@
 namespace prospect::tools {
 namespace {
 
+enum class Form { kShare, kError, kDecibels };
+
 struct Heading {
   Column column;
   const char* text;  // Markdown
   const char* name;  // CSV
-  bool is_share;
+  Form form;
 };
 
 constexpr Heading kHeadings[] = {
-    {kX1Label, "x1 label, %", "x1_label", true},
-    {kX1Error, "x1 MAE", "x1_mae", false},
-    {kX2Label, "x2 label, %", "x2_label", true},
-    {kX2Error, "x2 MAE", "x2_mae", false},
-    {kX2LabelOfC, "x2 label by C, %", "x2_label_by_c", true},
-    {kX1Composed, "x1 MAE, composed", "x1_mae_composed", false},
-    {kX2Composed, "x2 MAE, composed", "x2_mae_composed", false},
+    {kX1Label, "x1 label, %", "x1_label", Form::kShare},
+    {kX1Error, "x1 MAE", "x1_mae", Form::kError},
+    {kX2Label, "x2 label, %", "x2_label", Form::kShare},
+    {kX2Error, "x2 MAE", "x2_mae", Form::kError},
+    {kX1Psnr, "x1 PSNR, dB", "x1_psnr", Form::kDecibels},
+    {kX2Psnr, "x2 PSNR, dB", "x2_psnr", Form::kDecibels},
+    {kX1Ssim, "x1 SSIM", "x1_ssim", Form::kError},
+    {kX2Ssim, "x2 SSIM", "x2_ssim", Form::kError},
+    {kX2LabelOfC, "x2 label by C, %", "x2_label_by_c", Form::kShare},
+    {kX1Composed, "x1 MAE, composed", "x1_mae_composed", Form::kError},
+    {kX2Composed, "x2 MAE, composed", "x2_mae_composed", Form::kError},
 };
 
 template <typename... Values>
@@ -37,9 +43,11 @@ std::vector<TrialSums> SumsOf(const Row& row, bool successful_only) {
   return sums;
 }
 
-std::string Cell(const Estimate& e, bool is_share) {
+std::string Cell(const Estimate& e, Form form) {
   if (e.examples == 0) return "";
-  if (is_share) return Text("%.1f [%.1f, %.1f]", 100 * e.value, 100 * e.low, 100 * e.high);
+  if (form == Form::kShare)
+    return Text("%.1f [%.1f, %.1f]", 100 * e.value, 100 * e.low, 100 * e.high);
+  if (form == Form::kDecibels) return Text("%.2f [%.2f, %.2f]", e.value, e.low, e.high);
   return Text("%.4f [%.4f, %.4f]", e.value, e.low, e.high);
 }
 
@@ -48,7 +56,7 @@ std::string MarkdownLine(const Line& line, bool successful_only) {
   const std::vector<TrialSums> sums =
       line.row ? SumsOf(*line.row, successful_only) : std::vector<TrialSums>();
   for (const Heading& heading : kHeadings) {
-    text += " " + Cell(Bootstrap(sums, heading.column), heading.is_share) + " |";
+    text += " " + Cell(Bootstrap(sums, heading.column), heading.form) + " |";
   }
   if (!line.row) return text + " not trained | | |\n";
   text += Text(" %.0f |", Bootstrap(sums, kX1Error).examples);

@@ -13,8 +13,8 @@ using nlohmann::json;
 json AsJson(const Row& row) {
   json trials = json::array();
   for (const Row::Trial& t : row.trials) {
-    trials.push_back(
-        {t.seed, t.succeeded, t.sums.examples, t.sums.extras, t.sums.by_c, t.sums.sum});
+    trials.push_back({t.seed, t.succeeded, t.sums.examples, t.sums.extras, t.sums.by_c,
+                      t.sums.labelled, t.sums.sum});
   }
   return trials;
 }
@@ -28,7 +28,8 @@ Row RowOf(const json& trials) {
     trial.sums.examples = t.at(2).get<double>();
     trial.sums.extras = t.at(3).get<double>();
     trial.sums.by_c = t.at(4).get<double>();
-    trial.sums.sum = t.at(5).get<decltype(trial.sums.sum)>();
+    trial.sums.labelled = t.at(5).get<double>();
+    trial.sums.sum = t.at(6).get<decltype(trial.sums.sum)>();
     row.trials.push_back(trial);
   }
   return row;

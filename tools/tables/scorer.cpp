@@ -6,6 +6,7 @@
 
 #include "model/networks/light.h"
 #include "model/training/parallel.h"
+#include "model/training/picture_measures.h"
 #include "sim/sensor_noise.h"
 #include "tools/tables/examples.h"
 
@@ -55,6 +56,7 @@ Tensor Errors(const Tensor& x, const Tensor& clean_goal) {
 }
 
 double Hits(const model::Classifier& judge, const Tensor& x, const Tensor& action) {
+  if (judge.is_empty()) return 0;
   model::Classifier reader = judge;
   return reader->forward(x).argmax(1).eq(action).sum().item<double>();
 }
@@ -113,15 +115,22 @@ class TrialScorer {
     TrialSums sums;
     for (std::size_t begin = 0; begin < examples.size(); begin += kChunk) {
       const Chunk chunk(examples, begin, std::min(examples.size(), begin + kChunk));
-      sums.examples += static_cast<double>(chunk.frames.size());
+      const auto count = static_cast<double>(chunk.frames.size());
+      sums.examples += count;
+      if (!judge_.is_empty()) sums.labelled += count;
       add(chunk, &sums);
     }
     return sums;
   }
 
   void AddPictures(const Tensor& x1, const Tensor& x2, const Chunk& chunk, TrialSums* sums) {
-    sums->sum[kX1Error] += Errors(x1, pictures_.Clean(chunk.goals1)).sum().item<double>();
-    sums->sum[kX2Error] += Errors(x2, pictures_.Clean(chunk.goals2)).sum().item<double>();
+    const Tensor goal1 = pictures_.Clean(chunk.goals1), goal2 = pictures_.Clean(chunk.goals2);
+    sums->sum[kX1Error] += Errors(x1, goal1).sum().item<double>();
+    sums->sum[kX2Error] += Errors(x2, goal2).sum().item<double>();
+    sums->sum[kX1Psnr] += model::Psnr(x1, goal1).sum().item<double>();
+    sums->sum[kX2Psnr] += model::Psnr(x2, goal2).sum().item<double>();
+    sums->sum[kX1Ssim] += model::Ssim(x1, goal1).sum().item<double>();
+    sums->sum[kX2Ssim] += model::Ssim(x2, goal2).sum().item<double>();
     sums->sum[kX1Label] += Hits(judge_, x1, chunk.action1);
     sums->sum[kX2Label] += Hits(judge_, x2, chunk.action2);
   }
@@ -167,13 +176,17 @@ class TrialScorer {
 
   /// How a picture of a goal frame fares; many examples share one goal.
   struct Mark {
-    double error = 0;
-    int64_t label = 0;
+    double error = 0, psnr = 0, ssim = 0;
+    int64_t label = -1;
   };
   Mark MarkOf(const Tensor& x, int frame) {
+    const Tensor goal = pictures_.Clean({frame});
+    Mark mark{Errors(x, goal).item<double>(), model::Psnr(x, goal).item<double>(),
+              model::Ssim(x, goal).item<double>(), -1};
+    if (judge_.is_empty()) return mark;
     model::Classifier reader = judge_;
-    return {Errors(x, pictures_.Clean({frame})).item<double>(),
-            reader->forward(x).argmax(1).item<int64_t>()};
+    mark.label = reader->forward(x).argmax(1).item<int64_t>();
+    return mark;
   }
 
   template <typename PictureFn>
@@ -188,8 +201,13 @@ class TrialScorer {
     for (const Example& e : ExamplesOf(pictures_.labels, data_.every, data_.paper_tail)) {
       const Mark one = mark(e.goal1), two = mark(e.goal2);
       ++sums.examples;
+      if (!judge_.is_empty()) ++sums.labelled;
       sums.sum[kX1Error] += one.error;
       sums.sum[kX2Error] += two.error;
+      sums.sum[kX1Psnr] += one.psnr;
+      sums.sum[kX2Psnr] += two.psnr;
+      sums.sum[kX1Ssim] += one.ssim;
+      sums.sum[kX2Ssim] += two.ssim;
       sums.sum[kX1Label] += one.label == e.action1 ? 1 : 0;
       sums.sum[kX2Label] += two.label == e.action2 ? 1 : 0;
     }
@@ -207,7 +225,7 @@ class TrialScorer {
 std::vector<std::size_t> TestTrials(const model::TrialFile& file, std::size_t most) {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < file.size(); ++i) {
-    if (model::SplitOf(file.seeds()[i]) == model::Split::kTest) all.push_back(i);
+    if (file.part(i) == model::Split::kTest) all.push_back(i);
   }
   if (all.empty()) {
     throw model::DataError(file.path() + ": holds no test trials; add trials of other seeds");

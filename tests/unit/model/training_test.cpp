@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "model/engine.h"
 #include "model/training/batches.h"
@@ -16,6 +17,7 @@
 #include "model/training/transform_stages.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
+#include "model/weights_error.h"
 #include "tests/unit/model/made_trial.h"
 #include "tests/unit/model/test_folder.h"
 
@@ -164,6 +166,95 @@ TEST_F(TrainingTest, HeldOutTrialsAloneAreEnoughForScores) {
     }
   }
   EXPECT_EQ(again["value"]["real"]["threshold"], 0.5);
+}
+
+TEST_F(TrainingTest, WithoutFailuresTheWeightsPredictPicturesOnly) {
+  std::vector<std::string> parts;
+  for (int seed = 0; seed < kTrials; ++seed) {
+    if (seed % 3 != 0) parts.push_back(folder_ / (std::to_string(seed) + ".h5"));  // those succeed
+  }
+  TrainOptions options = Options("pictures");
+  options.data = folder_ / "successes.h5";
+  PackTrialFiles(parts, options.data);
+  TrainConfig config = TinyConfig();
+  config.classifier.iterations = 0;
+  config.heads_need_failures = true;
+  EXPECT_THROW(Trainer(config, options), std::invalid_argument) << "lambda needs C";
+  config.lambda = 0;
+  Trainer trainer(config, options);
+  trainer.Run();
+  RoundToHalf(trainer.context().networks);
+  const nlohmann::json scores = ComputeScores(trainer.context(), trainer.file(), 1);
+  EXPECT_FALSE(scores.contains("labels"));
+  EXPECT_FALSE(scores.contains("plan"));
+  EXPECT_GT(scores["pictures"]["x2"]["ssim"].get<double>(), -1.0);
+  const std::string path = ExportWeights(trainer, scores);
+  EXPECT_FALSE(std::filesystem::exists(ClassifiersPath(path)));
+  EXPECT_FALSE(HasModule(ReadWeights(path), "value"));
+
+  const auto engine = LoadTorchEngine(path, 1);
+  EXPECT_FALSE(engine->info().judges);
+  const std::vector<std::uint8_t> picture(32 * 32 * 3, 90);
+  const Hidden h = engine->Encode(picture.data());
+  const Prediction answer = engine->Expand({{h.data(), h.data(), 1}}).front();
+  EXPECT_EQ(answer.h.size(), h.size());
+  EXPECT_EQ(answer.q, std::vector<float>(3, 0.0F));
+  EXPECT_EQ(engine->Decode({answer.h}).front().size(), picture.size());
+  try {
+    LoadSearchEngine(path, 1);
+    FAIL() << "a search must not begin";
+  } catch (const WeightsError& error) {
+    EXPECT_NE(std::string(error.what()).find("made.safetensors: these weights predict pictures"),
+              std::string::npos)
+        << error.what();
+  }
+  BundleWeights(path, folder_ / "bundle");
+  Trainer bundled(config, options);
+  bundled.Load(folder_ / "bundle/made.safetensors");
+  EXPECT_EQ(ComputeScores(bundled.context(), bundled.file(), 1), scores);
+
+  TrainConfig all = TinyConfig();  // and on with trials that fail
+  options.data = folder_ / "all.h5";
+  options.folder = folder_ / "judging";
+  options.from = path;
+  Trainer judging(all, options);
+  judging.Run();
+  EXPECT_TRUE(judging.context().networks.has_heads);
+}
+
+// The original fed the first action twice.
+TEST_F(TrainingTest, TheSecondStepIsOfTheSecondAction) {
+  const TrialFile file(folder_ / "all.h5");
+  TrainConfig config = TinyConfig();
+  config.hidden_variants = 1;
+  const SampleSet samples = ReadSamples(file, 1);
+  const PictureCache pictures(folder_ / "p", file, samples, [](std::int64_t, std::int64_t) {});
+  const TrainContext context{config,      samples, pictures, nullptr, Networks(config.network),
+                             torch::kCPU, {}};
+  const TrialSample& trial = samples.trials.front();
+  const int segment = trial.first_segment;
+  const ChainBatch batch(
+      context, {MakeChain(context, segment, context.segment(segment).start, 2, false)}, {0});
+  const int a1 = context.segment(segment).action, a2 = context.segment(segment + 1).action;
+  ASSERT_NE(a1, a2);
+  EXPECT_EQ(batch.Actions(0).item<int64_t>(), a1);
+  EXPECT_EQ(batch.Actions(1).item<int64_t>(), a2);
+  EXPECT_EQ(batch.GoalSlots(1).front(), context.segment(segment + 1).goal);
+
+  Trainer trainer(config, Options("run"));
+  trainer.Run();
+  const std::string path =
+      ExportWeights(trainer, ComputeScores(trainer.context(), trainer.file(), 1));
+  const auto engine = LoadTorchEngine(path, 1);
+  const std::vector<std::uint8_t> seen(32 * 32 * 3, 90);
+  const Hidden h0 = engine->Encode(seen.data());
+  const Hidden h1 = engine->Expand({{h0.data(), h0.data(), a1}}).front().h;
+  std::set<std::vector<std::uint8_t>> futures;
+  for (int next = 0; next < 3; ++next) {
+    const Hidden h2 = engine->Expand({{h0.data(), h1.data(), next}}).front().h;
+    futures.insert(engine->Decode({h2}).front());
+  }
+  EXPECT_EQ(futures.size(), 3U) << "one picture for each second action";
 }
 
 TEST_F(TrainingTest, AnotherTaskOrShapeIsRefused) {

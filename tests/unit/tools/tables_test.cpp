@@ -54,7 +54,7 @@ TEST(Examples, ATrialOfOneActionHasNone) {
 
 TrialSums SumsOf(double examples, double error_each) {
   TrialSums sums;
-  sums.examples = examples;
+  sums.examples = sums.labelled = examples;
   sums.sum[kX1Error] = examples * error_each;
   return sums;
 }
