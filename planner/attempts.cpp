@@ -51,14 +51,14 @@ TaskRules RulesFor(TaskRules rules, const Attempt& attempt) {
 Attempts::Attempts(TaskRules rules, int most, double below)
     : rules_(std::move(rules)), most_(most), below_(below), attempt_{{}, rules_.plan_length} {}
 
-NextStep Attempts::Next(const SearchFor& search) {
+NextStep Attempts::Next(const SearchFor& search, bool surprised) {
   NextStep next;
   next.plan = search(attempt_);
-  if (MayStill() && MayBeginAnew(rules_, attempt_.executed) &&
-      (!next.plan.ok() || next.plan.best.score < below_)) {
+  const bool believed = next.plan.ok() && !surprised;
+  if (may_begin_anew() && (!believed || next.plan.best.score < below_)) {
     const Attempt anew = BegunAnew(rules_, attempt_);
     Plan plan = search(anew);
-    if (plan.ok() && (!next.plan.ok() || plan.best.score > next.plan.best.score)) {
+    if (plan.ok() && (!believed || plan.best.score > next.plan.best.score)) {
       next = {NextStep::Kind::kAnew, -1, std::move(plan), next.plan.best.score};
       attempt_ = anew;
       ++begun_anew_;
@@ -66,7 +66,7 @@ NextStep Attempts::Next(const SearchFor& search) {
   }
   if (next.plan.ok() && !next.plan.best.path.empty()) {
     if (next.kind != NextStep::Kind::kAnew) next.kind = NextStep::Kind::kAct;
-    rest_ = next.plan.best.path;
+    Follow(next.plan.best.path);
   } else if (MayStill() && RestLeadsToANewBeginning()) {
     next.kind = NextStep::Kind::kCarryOn;
   }
@@ -74,12 +74,23 @@ NextStep Attempts::Next(const SearchFor& search) {
   return next;
 }
 
+void Attempts::Follow(const Path& path) {
+  if (path != rest_) followed_ = 0;
+  rest_ = path;
+}
+
+bool Attempts::may_begin_anew() const {
+  return MayStill() && MayBeginAnew(rules_, attempt_.executed);
+}
+
 void Attempts::CarriedOut(int action) {
   attempt_.executed.push_back(static_cast<std::uint8_t>(action));
   if (!rest_.empty() && rest_.front() == action) {
     rest_.erase(rest_.begin());
+    ++followed_;
   } else {
     rest_.clear();
+    followed_ = 0;
   }
 }
 

@@ -60,7 +60,15 @@ class Attempts {
   // be done: where one may begin anew, that is searched, too, and taken if it scores more; on the
   // way there the plan that was last acted on is carried on, since its path was imagined free.
   // Before the first action there is nothing of the kind: a refusal stays a refusal.
-  NextStep Next(const SearchFor& search);
+  // `surprised`: what is seen is not what the plan imagined for now. Then the score of going on is
+  // not believed, and whatever may be begun anew is.
+  NextStep Next(const SearchFor& search, bool surprised = false);
+
+  // Whether a surprise would matter now.
+  bool may_begin_anew() const;
+  // Actions carried out of the plan that is followed, since the search that first found it. A
+  // search that finds its rest again follows it; one that finds another plan begins with 0.
+  int followed() const { return followed_; }
 
   // `action` was carried out.
   void CarriedOut(int action);
@@ -71,6 +79,7 @@ class Attempts {
   bool complete() const;
 
  private:
+  void Follow(const Path& path);
   bool MayStill() const;
   bool RestLeadsToANewBeginning() const;
 
@@ -79,6 +88,7 @@ class Attempts {
   double below_;
   Attempt attempt_;
   Path rest_;  // of the plan last acted on
+  int followed_ = 0;
   int begun_anew_ = 0;
 };
 

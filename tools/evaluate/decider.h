@@ -21,6 +21,7 @@ struct Decision {
   std::string reason;
   std::int64_t evaluations = 0;
   std::int64_t rollouts = 0;
+  double surprise = 0;      // where a plan may begin anew: model::Surprise of what is seen there
   bool anew = false;        // the plan begins anew with this action
   bool carried_on = false;  // the plan is lost; on to where it can begin anew
 };

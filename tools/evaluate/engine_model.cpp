@@ -16,6 +16,7 @@ void EngineModel::SetFirst(const std::vector<std::uint8_t>& image) {
 }
 
 void EngineModel::SetRoot(const std::vector<std::uint8_t>& image, int previous_action) {
+  picture_ = image;
   root_ = engine_->Encode(image.data());
   previous_action_ = previous_action;
   known_.clear();
@@ -35,6 +36,15 @@ const model::Prediction& EngineModel::Predict(const planner::Path& path) {
   std::vector<model::Prediction> made =
       engine_->Expand({model::ExpandInput{h0_.data(), parent.h.data(), path.back()}});
   return known_[path] = std::move(made.front());
+}
+
+std::vector<std::uint8_t> EngineModel::Imagine(const Glance& from, const planner::Path& actions) {
+  model::Hidden state = from.state;
+  for (const std::uint8_t action : actions) {
+    const model::ExpandInput row{h0_.data(), state.data(), action};
+    state = engine_->Expand({row}).front().h;
+  }
+  return engine_->DecodeOnto(from.picture.data(), from.state, {state}).front();
 }
 
 planner::Evaluation EngineModel::Evaluate(const planner::Path& path) {

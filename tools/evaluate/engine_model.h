@@ -9,6 +9,12 @@
 
 namespace prospect::tools {
 
+// A picture that was seen, and its encoding.
+struct Glance {
+  std::vector<std::uint8_t> picture;
+  model::Hidden state;
+};
+
 // The learned networks as the planner's model, inside one process: hidden states are kept by path
 // and a node is imagined from its parent's hidden state (the paper's Algorithm 1, T). Not thread
 // safe; does not own the engine.
@@ -28,6 +34,12 @@ class EngineModel : public planner::ModelSource {
   // until SetRoot.
   const model::Prediction& Predict(const planner::Path& path);
 
+  // What SetRoot was given, to imagine from later.
+  Glance glance() const { return {picture_, root_}; }
+  // The picture after `actions`, which must not be empty, imagined from an earlier root of this
+  // episode.
+  std::vector<std::uint8_t> Imagine(const Glance& from, const planner::Path& actions);
+
   // Networks' answers asked for since the last SetRoot.
   std::int64_t evaluations() const { return evaluations_; }
 
@@ -35,6 +47,7 @@ class EngineModel : public planner::ModelSource {
   model::Engine* engine_;
   model::Hidden h0_;
   model::Hidden root_;
+  std::vector<std::uint8_t> picture_;  // of the root
   int previous_action_ = 0;
   std::map<planner::Path, model::Prediction> known_;
   std::int64_t evaluations_ = 0;

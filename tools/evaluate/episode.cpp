@@ -60,6 +60,7 @@ EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, 
     record.rollouts += decision.rollouts;
     record.reason = decision.reason;
     record.scores.push_back(decision.score);
+    record.surprises.push_back(decision.surprise);
     record.begun_anew += decision.anew;
     record.carried_on += decision.carried_on;
     if (decision.action < 0) break;

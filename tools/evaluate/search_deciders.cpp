@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/surprise.h"
 #include "planner/attempts.h"
 #include "planner/baseline_plans.h"
 #include "planner/model_source.h"
@@ -44,8 +45,11 @@ Found SearchWith(const planner::TaskRules& rules, const planner::SearchParameter
 // Decides by searching what is left of the plan, or of the plan begun anew.
 class Searching : public Decider {
  public:
-  Searching(planner::SearchParameters parameters, Goal goal, int retries)
-      : parameters_(std::move(parameters)), goal_(std::move(goal)), retries_(retries) {}
+  Searching(planner::SearchParameters parameters, Goal goal, int retries, double surprise = 1)
+      : parameters_(std::move(parameters)),
+        goal_(std::move(goal)),
+        retries_(retries),
+        surprise_(surprise) {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
     seed_ = scene_seed;
@@ -60,14 +64,22 @@ class Searching : public Decider {
     for (; followed_ < executed.size(); ++followed_) attempts_->CarriedOut(executed[followed_]);
     Look(executed, latest, task);
     Decision decision;
-    const planner::NextStep next = attempts_->Next([&](const planner::Attempt& attempt) {
+    const auto search = [&](const planner::Attempt& attempt) {
       const planner::TaskRules rules = planner::RulesFor(rules_, attempt);
       Found found =
           Find(rules, ForRoot(parameters_, rules, attempt.executed, seed_), attempt.executed);
       decision.rollouts += found.rollouts;
       decision.evaluations += found.evaluations;
       return std::move(found.plan);
-    });
+    };
+    const std::size_t of_plan = static_cast<std::size_t>(attempts_->followed());
+    if (of_plan > 0 && attempts_->may_begin_anew()) {
+      const planner::Path since(executed.end() - static_cast<std::ptrdiff_t>(of_plan),
+                                executed.end());
+      decision.surprise = Surprise(since, latest);
+    }
+    const planner::NextStep next = attempts_->Next(search, decision.surprise > surprise_);
+    if (next.action >= 0 && attempts_->followed() == 0) RememberStart();
     decision.action = next.action;
     decision.score = next.plan.best.score;
     if (next.plan.ok()) decision.plan = next.plan.best.path;
@@ -83,6 +95,10 @@ class Searching : public Decider {
                     sim::Task& task) = 0;
   virtual Found Find(const planner::TaskRules& rules, const planner::SearchParameters& parameters,
                      const planner::Path& executed) = 0;
+  // A plan begins from what was looked at last.
+  virtual void RememberStart() {}
+  // model::Surprise of `latest` and of what the plan imagined for it, after `since` of its actions.
+  virtual double Surprise(const planner::Path&, const std::vector<std::uint8_t>&) { return 0; }
 
   const planner::TaskRules& rules() const { return rules_; }
   std::uint64_t seed() const { return seed_; }
@@ -91,6 +107,7 @@ class Searching : public Decider {
   planner::SearchParameters parameters_;
   Goal goal_;
   int retries_;
+  double surprise_;
   std::uint64_t seed_ = 0;
   planner::TaskRules rules_;
   std::optional<planner::Attempts> attempts_;
@@ -100,8 +117,12 @@ class Searching : public Decider {
 class Learned : public Searching {
  public:
   Learned(bool exhaustive, model::Engine* engine, const planner::SearchParameters& parameters,
-          Goal goal, int retries)
-      : Searching(parameters, std::move(goal), retries), exhaustive_(exhaustive), model_(engine) {}
+          Goal goal, int retries, double surprise)
+      : Searching(parameters, std::move(goal), retries, surprise),
+        exhaustive_(exhaustive),
+        width_(engine->info().image_width),
+        height_(engine->info().image_height),
+        model_(engine) {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>& first) override {
     Searching::Begin(scene_seed, first);
@@ -121,8 +142,16 @@ class Learned : public Searching {
     return {std::move(all.plan), 0, all.evaluations};
   }
 
+  void RememberStart() override { start_ = model_.glance(); }
+
+  double Surprise(const planner::Path& since, const std::vector<std::uint8_t>& latest) override {
+    return model::Surprise(model_.Imagine(start_, since), latest, width_, height_);
+  }
+
   bool exhaustive_;
+  int width_, height_;
   EngineModel model_;
+  Glance start_;
 };
 
 class Greedy : public Decider {
@@ -185,9 +214,10 @@ class WithSimulator : public Searching {
 
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
                                      const planner::SearchParameters& parameters, const Goal& goal,
-                                     int retries) {
+                                     int retries, double surprise) {
   if (by == PlanBy::kGreedy) return std::make_unique<Greedy>(engine, parameters, goal);
-  return std::make_unique<Learned>(by == PlanBy::kExhaustive, engine, parameters, goal, retries);
+  return std::make_unique<Learned>(by == PlanBy::kExhaustive, engine, parameters, goal, retries,
+                                   surprise);
 }
 
 std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,

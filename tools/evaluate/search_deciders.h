@@ -16,10 +16,12 @@ enum class PlanBy {
 };
 
 // Plans with the learned networks. `engine` outlives the decider. A plan that is lost is begun anew
-// at most `retries` times where the task allows it (planner/attempts.h); greedy never does.
+// at most `retries` times where the task allows it (planner/attempts.h); greedy never does. What is
+// seen there surprises it when model::Surprise of it and of what the plan imagined exceeds
+// `surprise`.
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
                                      const planner::SearchParameters& parameters,
-                                     const Goal& goal = {}, int retries = 0);
+                                     const Goal& goal = {}, int retries = 0, double surprise = 1);
 
 // Searches with the simulator as its model: perfect imagination, the same number of rollouts.
 std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,

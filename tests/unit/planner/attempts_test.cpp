@@ -146,6 +146,42 @@ TEST(Attempts, BeginsAnewOnlyWhereThatScoresMore) {
   }
 }
 
+// A picture that is not the imagined one outweighs a high score of going on.
+TEST(Attempts, BeginsAnewWhenSurprised) {
+  for (const bool surprised : {false, true}) {
+    Attempts attempts(PickAndPut(3), 1);
+    attempts.CarriedOut(0);
+    EXPECT_FALSE(attempts.may_begin_anew());
+    attempts.CarriedOut(4);
+    EXPECT_TRUE(attempts.may_begin_anew());
+    Answers answers;
+    answers.Set({0, 4}, 3, Scoring(0.9, {7}));
+    answers.Set({4}, 4, Scoring(0.6, {1, 3, 6}));
+    EXPECT_EQ(attempts.Next(answers.Search(), surprised).action, surprised ? 1 : 7);
+  }
+}
+
+TEST(Attempts, CountsWhatWasCarriedOutOfOnePlan) {
+  Attempts attempts(PickAndPut(6), 1);
+  Answers answers;
+  answers.Set({}, 6, Scoring(0.9, {0, 4, 7, 1, 5, 8}));
+  answers.Set({0}, 6, Scoring(0.8, {4, 7, 1, 5, 8}));
+  answers.Set({0, 4}, 6, Scoring(0.8, {7, 2, 3, 6}));
+  attempts.Next(answers.Search());
+  EXPECT_EQ(attempts.followed(), 0);
+  attempts.CarriedOut(0);
+  attempts.Next(answers.Search());
+  EXPECT_EQ(attempts.followed(), 1) << "its rest was found again";
+  attempts.CarriedOut(4);
+  EXPECT_EQ(attempts.followed(), 2);
+  attempts.Next(answers.Search());
+  EXPECT_EQ(attempts.followed(), 0) << "another plan";
+  attempts.CarriedOut(7);
+  EXPECT_EQ(attempts.followed(), 1);
+  attempts.CarriedOut(1);
+  EXPECT_EQ(attempts.followed(), 0) << "somebody did something else";
+}
+
 TEST(Attempts, BeginsAnewNoOftenerThanItMay) {
   for (const int most : {0, 1}) {
     Attempts attempts(PickAndPut(3), most);
