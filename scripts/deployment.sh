@@ -32,7 +32,7 @@ start_deployment() {
   printf '%s\n' "$PROSPECT_DEPLOYMENT" >"$STATE/deployment"
   printf '%s\n' "$task" >"$STATE/task"
   set -- "$BIN/prospect-supervisor" --bus "$BUS" --chaos "${CHAOS:-}" --task "$task" --weights "$weights" --workers "$workers" \
-    --state "$STATE" --logs "$LOGS" ${NO_SIMULATOR:-} -- "$@"
+    --state "$STATE" --logs "$LOGS" ${NO_SIMULATOR:-} ${PLAYER:-} -- "$@"
   if [ -n "${FOREGROUND:-}" ]; then
     echo "$$" >"$STATE/supervisor.pid"
     exec "$@"

@@ -6,7 +6,7 @@ find_package(CLI11 REQUIRED)
 set(figures ${CMAKE_CURRENT_SOURCE_DIR}/figures)
 add_library(prospect_figures_lib STATIC ${figures}/calibration.cpp ${figures}/color.cpp ${figures}/futures.cpp
   ${figures}/heat_panel.cpp ${figures}/held_out.cpp ${figures}/hidden_states.cpp ${figures}/imagined.cpp
-  ${figures}/judgements.cpp ${figures}/loaded_model.cpp ${figures}/page.cpp ${figures}/random_states.cpp
+  ${figures}/judgements.cpp ${figures}/loaded_model.cpp ${figures}/page.cpp ${figures}/predictions.cpp ${figures}/random_states.cpp
   ${figures}/search.cpp ${figures}/search_story.cpp ${figures}/sheet.cpp ${figures}/strip.cpp ${figures}/task_table.cpp
   ${figures}/variants.cpp)
 prospect_target(prospect_figures_lib)

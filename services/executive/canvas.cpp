@@ -1,5 +1,6 @@
 #include "services/executive/canvas.h"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -57,8 +58,11 @@ int Canvas::Paragraph(int x, int y, int width, const std::string& text, const St
 }
 
 void Canvas::Image(int x, int y, int side, const Picture& picture, const cv::Scalar& color) {
-  Grow(y + side + 4);
-  const cv::Rect place(x, y, side, side);
+  const int longer = std::max({1, picture.width, picture.height});
+  const int width = picture.empty() ? side : side * picture.width / longer;
+  const int height = picture.empty() ? side : side * picture.height / longer;
+  Grow(y + height + 4);
+  const cv::Rect place(x, y, width, height);
   if (picture.empty()) {
     cv::rectangle(sheet_, place, kEmpty, cv::FILLED);
   } else {
@@ -69,7 +73,7 @@ void Canvas::Image(int x, int y, int side, const Picture& picture, const cv::Sca
     cv::cvtColor(large, bgr, cv::COLOR_RGB2BGR);
     bgr.copyTo(sheet_(place));
   }
-  cv::rectangle(sheet_, {x - 2, y - 2, side + 4, side + 4}, color, 2, cv::LINE_8);
+  cv::rectangle(sheet_, {x - 2, y - 2, width + 4, height + 4}, color, 2, cv::LINE_8);
 }
 
 void Canvas::Line(int x0, int x1, int y, const cv::Scalar& color) {

@@ -27,8 +27,8 @@ class Canvas {
   /// Broken between words to fit `width`. @return the y below the last line
   int Paragraph(int x, int y, int width, const std::string& text, const Style& style);
 
-  /// A picture enlarged to side x side, with a frame of `color`. An empty picture is a grey field
-  /// that says so.
+  /// A picture enlarged so that its longer side is `side`, at (x, y), with a frame of `color`. An
+  /// empty picture is a grey square that says so.
   void Image(int x, int y, int side, const Picture& picture, const cv::Scalar& color);
 
   void Line(int x0, int x1, int y, const cv::Scalar& color);

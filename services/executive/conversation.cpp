@@ -13,8 +13,8 @@ constexpr std::int64_t kHealthMs = 1500;
 
 }  // namespace
 
-Conversation::Conversation(Bus& bus)
-    : bus_(bus), health_(bus, "executive"), monitor_(bus), view_(bus) {
+Conversation::Conversation(Bus& bus, const std::string& service)
+    : bus_(bus), health_(bus, service), monitor_(bus), view_(bus) {
   health_.SetState(health_t::STATE_READY);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <set>
+#include <string>
 
 #include "services/common/bus.h"
 #include "services/common/clock.h"
@@ -17,7 +18,8 @@ namespace prospect::services {
 /// ends on a stop signal. Belongs to one thread; the bus must outlive it.
 class Conversation {
  public:
-  explicit Conversation(Bus& bus);
+  /// @param service what HEALTH calls this process
+  explicit Conversation(Bus& bus, const std::string& service = "executive");
 
   /// Listens for at most `wait_ms`. Throws ExitError: kExitInterrupted after SIGINT or SIGTERM, and
   /// kExitServiceLost as HoldWorld() says.

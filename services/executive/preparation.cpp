@@ -72,6 +72,23 @@ bool Fits(const model_info_t& info, const task_t& task) {
 }
 
 }  // namespace
+/// Weights without V, Q, p and f are said at once, not after waiting for workers.
+void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options) {
+  if (!Searches(options) || options.workers == 0) return;
+  if (info.engine.find(kPicturesOnlyEngine) == std::string::npos) return;
+  throw ExitError(kExitWeights, "weights " + HexText(info.weights_hash) + " for task '" +
+                                    info.task +
+                                    "' predict pictures only: they hold no V, Q, p and f to "
+                                    "search with; ask ./prospect predict");
+}
+
+void RequireJudgement(Conversation& talk, const ExecutiveOptions& options) {
+  const auto& task = talk.view().task();
+  for (const auto& info : talk.view().servers().Live(0, SteadyMs())) {
+    if (task && Fits(info, *task)) RequireJudgement(info, options);
+  }
+}
+
 
 std::string HexText(std::int64_t value) {
   char text[17];
@@ -80,8 +97,11 @@ std::string HexText(std::int64_t value) {
 }
 
 void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
-  const bool there =
-      talk.Until([&] { return Missing(talk, options).empty(); }, options.services_timeout_ms);
+  const auto complete = [&] {
+    RequireJudgement(talk, options);
+    return Missing(talk, options).empty();
+  };
+  const bool there = talk.Until(complete, options.services_timeout_ms);
   if (there) return;
   throw ExitError(kExitServiceLost, "still missing on " + talk.bus().url() + ":" +
                                         Missing(talk, options) + " start them with ./prospect up");
@@ -114,7 +134,9 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
   for (const auto& info : live) {
     const bool wanted =
         options.weights_hash.empty() || HexText(info.weights_hash) == options.weights_hash;
-    if (wanted && Fits(info, *talk.view().task())) return info;
+    if (!wanted || !Fits(info, *talk.view().task())) continue;
+    RequireJudgement(info, options);
+    return info;
   }
   throw ExitError(kExitWeights, "no model server holds fitting weights: the first holds " +
                                     HexText(live.front().weights_hash) + " for task '" +

@@ -125,6 +125,7 @@ std::string ModelServer::Defect(const expand_request_t& request, Active* active)
       request.weights_hash != static_cast<std::int64_t>(engine_.weights_hash())) {
     return "other weights are loaded";
   }
+  if (!engine_.info().judges) return model::kPicturesOnly;
   for (const auto& path : request.paths) {
     if (!active->memory->Legal(path.actions))
       return "path " + planner::ToString(path.actions) + " is against the rules";

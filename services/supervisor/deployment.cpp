@@ -38,7 +38,8 @@ ServiceSpec ModelSpec(const DeploymentSpec& deployment) {
 }
 
 ServiceSpec SimulatorSpec(const DeploymentSpec& deployment) {
-  ServiceSpec spec{"simulator", Command(deployment, "prospect-simulator", kSimulatorSeed)};
+  const std::string program = deployment.player ? "prospect-player" : "prospect-simulator";
+  ServiceSpec spec{"simulator", Command(deployment, program, kSimulatorSeed)};
   spec.command.insert(spec.command.end(), {"--task", deployment.task});
   spec.command.insert(spec.command.end(), deployment.scene.begin(), deployment.scene.end());
   return spec;

@@ -20,6 +20,7 @@ struct DeploymentSpec {
   std::string chaos;  ///< faults for every process, its seed moved on from one to the next
   std::vector<std::string> scene;  ///< further arguments of the simulator
   bool simulator = true;           ///< false: a robot is in its place
+  bool player = false;             ///< a video is in its place; `scene` is the player's
 };
 
 ServiceSpec ModelSpec(const DeploymentSpec& deployment);

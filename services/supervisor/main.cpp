@@ -34,6 +34,8 @@ void AddOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_flag("--no-simulator", options.no_simulator, "a robot is in the simulator's place");
+  app.add_flag("--player", options.deployment.player,
+               "a video is in the simulator's place: prospect-player, with what comes after --");
   app.add_option("--state", options.state, "folder for services.json and the wish file workers")
       ->required();
   app.add_option("--logs", options.logs, "folder for a log a service")->required();

@@ -77,7 +77,7 @@ LoadedModel LoadWeights(const std::string& path, int threads) {
   loaded.engine = model::LoadTorchEngine(path, threads);
   const model::WeightsFile file = model::ReadWeights(path);
   loaded.paint = MakePainter(file, path);
-  loaded.done = MakeDoneHead(file, path);
+  if (loaded.engine->info().judges) loaded.done = MakeDoneHead(file, path);
   return loaded;
 }
 

@@ -24,7 +24,7 @@ using DoneHead = std::function<float(const model::Hidden& h0, const model::Hidde
 struct LoadedModel {
   std::shared_ptr<model::Engine> engine;
   Painter paint;
-  DoneHead done;
+  DoneHead done;  ///< empty where the engine does not judge
 };
 
 /// Throws model::WeightsError.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "model/engine.h"
+#include "model/jigsaws/gestures.h"
 #include "model/weights_error.h"
 #include "tools/common/guarded.h"
 #include "tools/common/progress.h"
@@ -16,6 +17,7 @@
 #include "tools/figures/futures.h"
 #include "tools/figures/hidden_states.h"
 #include "tools/figures/loaded_model.h"
+#include "tools/figures/predictions.h"
 #include "tools/figures/random_states.h"
 #include "tools/figures/search.h"
 #include "tools/figures/variants.h"
@@ -28,9 +30,13 @@ namespace fs = std::filesystem;
 constexpr int kMostScenes = 40;  // looked at for one that shows something
 constexpr int kChains = 4;       // examples in variants.png
 constexpr int kMids = 1;         // frames inside an action, for f
+constexpr int kPictures = 6;     // in reconstructions.png
 
-const std::vector<std::string> kNames = {"hidden-states", "random-states", "variants",
-                                         "futures",       "search",        "calibration"};
+const std::vector<std::string> kNames = {"predictions",   "reconstructions", "hidden-states",
+                                         "random-states", "variants",        "futures",
+                                         "search",        "calibration"};
+// Those that ask V, Q, p or f.
+const std::set<std::string> kJudging = {"futures", "search", "calibration"};
 
 struct Options {
   std::string task = "navigation";
@@ -38,7 +44,8 @@ struct Options {
   std::uint64_t seed = 0;
   int trials = 200;
   int samples = 30;
-  std::vector<std::string> only = kNames;
+  int examples = 6;
+  std::vector<std::string> only;  // empty: all that the weights can draw
 };
 
 void AddOptions(CLI::App* app, Options* o) {
@@ -54,6 +61,9 @@ void AddOptions(CLI::App* app, Options* o) {
       ->capture_default_str();
   app->add_option("--samples", o->samples, "Rollouts of the search that is shown")
       ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app->add_option("--examples", o->examples, "Rows of predictions.png")
+      ->check(CLI::Range(1, 40))
       ->capture_default_str();
   app->add_option("--only", o->only, "Only these figures, by name")
       ->delimiter(',')
@@ -90,7 +100,9 @@ void RequireData(const model::Trial& trial, const std::string& path, const std::
     throw model::DataError(path + ": holds trials of task '" + trial.task + "', not of '" + task +
                            "'");
   }
-  if (trial.task_hash != table.hash || trial.num_actions != table.rules.num_actions) {
+  // Videos and the simulated scene share the gestures, and nothing else of a table.
+  const bool other = !model::jigsaws::IsGestureTask(task) && trial.task_hash != table.hash;
+  if (other || trial.num_actions != table.rules.num_actions) {
     throw model::DataError(path +
                            ": was made with another action table than this task's; collect "
                            "it anew");
@@ -193,7 +205,18 @@ Page MakeSearch(const Options& options, const Studio& studio) {
   return DrawSearch(scene, studio.table, studio.own, parameters);
 }
 
+Page MakePredictions(const Options& options, const Studio& studio) {
+  const auto chains = DrawnChains(*studio.held_out, options.examples, options.seed);
+  if (chains.empty()) throw model::DataError("no test trial of the data set has two actions");
+  return DrawPredictions(chains, studio.table, studio.own);
+}
+
 Page Make(const std::string& name, const Options& options, const Studio& studio) {
+  if (name == "predictions") return MakePredictions(options, studio);
+  if (name == "reconstructions") {
+    return DrawReconstructions(DrawnPictures(*studio.held_out, kPictures, options.seed),
+                               studio.own);
+  }
   if (name == "hidden-states") {
     return DrawHiddenStates(ChooseTrial(*studio.held_out, options.seed), studio.table, studio.own);
   }
@@ -215,10 +238,22 @@ std::string About(const Options& options, const Studio& studio) {
          " --samples " + std::to_string(options.samples) + "`.";
 }
 
+std::set<std::string> Wanted(const Options& options, const Studio& studio) {
+  std::set<std::string> wanted(options.only.begin(), options.only.end());
+  if (wanted.empty()) wanted.insert(kNames.begin(), kNames.end());
+  if (studio.own.engine->info().judges) return wanted;
+  for (const std::string& name : kJudging) {
+    if (wanted.erase(name) > 0 && !options.only.empty()) {
+      throw model::WeightsError(studio.weights + ": " + name + ": " + model::kPicturesOnly);
+    }
+  }
+  return wanted;
+}
+
 int Main(const Options& options) {
   const Studio studio = OpenStudio(options);
+  const std::set<std::string> wanted = Wanted(options, studio);
   MakeFolder(options.out);
-  const std::set<std::string> wanted(options.only.begin(), options.only.end());
   std::vector<Page> pages;
   for (const std::string& name : kNames) {
     if (wanted.count(name) == 0) continue;

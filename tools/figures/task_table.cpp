@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/dataset.h"
+#include "model/jigsaws/gestures.h"
 #include "sim/random.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/decider.h"
@@ -24,9 +25,26 @@ std::string Hexadecimal(std::uint64_t value) {
   return text;
 }
 
+/// Any gesture may follow any other, as far as the table goes: videos of people say no more.
+TaskTable GestureTable() {
+  TaskTable table;
+  table.hash = model::jigsaws::GestureTableHash();
+  table.rules.num_actions = model::jigsaws::kGestures;
+  table.rules.repeats_allowed = true;
+  std::vector<int> all;
+  for (int action = 0; action < model::jigsaws::kGestures; ++action) {
+    all.push_back(action);
+    table.names.push_back(model::jigsaws::GestureName(action) + " " +
+                          model::jigsaws::GestureWords(action));
+  }
+  table.rules.successors.assign(all.size() + 1, all);
+  return table;
+}
+
 }  // namespace
 
 TaskTable TableOf(const std::string& task) {
+  if (model::jigsaws::IsGestureTask(task)) return GestureTable();
   const auto world = sim::MakeTask(task);
   TaskTable table;
   table.rules = tools::RulesOf(world->spec());

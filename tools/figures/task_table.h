@@ -21,7 +21,8 @@ struct TaskTable {
   std::vector<int> Onward(const planner::Path& path) const;
 };
 
-/// The table of one of sim/'s tasks. Throws std::invalid_argument, naming the tasks that there are.
+/// The table of gestures for the tasks that have them (model/jigsaws/gestures.h), else that of one
+/// of sim/'s tasks. Throws std::invalid_argument, naming the tasks that there are.
 TaskTable TableOf(const std::string& task);
 
 /// The same for plans as long as this trial's. Throws model::DataError if that is no length.

@@ -53,6 +53,7 @@ class Converter {
             const std::atomic<bool>* stop)
       : options_(options),
         folder_(fs::path(options.root) / options.folder),
+        world_version_(fs::exists(folder_ / "simulated.json") ? "jigsaws-simulated" : "jigsaws"),
         say_(say),
         stop_(stop) {}
 
@@ -114,7 +115,7 @@ class Converter {
     trial.seed = name.seed();
     trial.name = text;
     trial.task = model::jigsaws::TaskOfFolder(options_.folder);
-    trial.world_version = "jigsaws";
+    trial.world_version = world_version_;
     writer->End(trial);
     done_.push_back(name);
     report_.frames += trial.frames();
@@ -151,6 +152,7 @@ class Converter {
 
   const JigsawsOptions& options_;
   fs::path folder_;
+  std::string world_version_;  // also in weights that are trained on it
   const std::function<void(const std::string&)>& say_;
   const std::atomic<bool>* stop_;
   std::vector<TrialName> done_;

@@ -30,10 +30,11 @@ class Interrupted : public std::runtime_error {
 };
 
 // Reads a task's folder in the layout of JIGSAWS (transcriptions/, video/NAME_capture1.avi; what
-// else is there is not read) into one data set, trial by trial, in memory that does not grow. A
-// trial that cannot be used is left out, one that can be put right is repaired, each with one line
-// to `say`. Throws model::DataError if no trial is left, model::DiskError, std::invalid_argument as
-// model::jigsaws::AssignParts does, Interrupted once `*stop` is set.
+// else is there is not read, but that simulated.json marks videos of a simulation) into one data
+// set, trial by trial, in memory that does not grow. A trial that cannot be used is left out, one
+// that can be put right is repaired, each with one line to `say`. Throws model::DataError if no
+// trial is left, model::DiskError, std::invalid_argument as model::jigsaws::AssignParts does,
+// Interrupted once `*stop` is set.
 JigsawsReport ConvertJigsaws(const JigsawsOptions& options,
                              const std::function<void(const std::string&)>& say,
                              const std::atomic<bool>* stop);

@@ -1,0 +1,187 @@
+// prospect-takes: how far two takes of one action differ, from the same state with fresh noise: the
+// floor of what a prediction of one picture can reach in a world that does not repeat itself.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/random.h"
+#include "sim/random_plan.h"
+#include "sim/rollout.h"
+#include "sim/suturing/gestures.h"
+#include "sim/suturing/suturing_task.h"
+#include "sim/task_factory.h"
+#include "tools/common/progress.h"
+
+namespace prospect {
+namespace {
+
+constexpr int kExitUsage = 2, kExitFailed = 4, kExitDisk = 13;
+
+struct Options {
+  std::string task = "suturing";
+  std::uint64_t seed = 2'000'000;
+  int scenes = 20;
+  int most_actions = 40;
+  std::string json_file;
+};
+
+// Means over actions, by how many of them lie between the state and the picture.
+struct Floor {
+  double sum = 0;
+  int samples = 0;
+  void Add(double error) {
+    sum += error;
+    ++samples;
+  }
+  double mean() const { return samples > 0 ? sum / samples : 0; }
+};
+
+double Difference(const sim::Image& a, const sim::Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
+  return sum / 255 / static_cast<double>(a.rgb.size());
+}
+
+class Takes {
+ public:
+  explicit Takes(const Options& options)
+      : options_(options),
+        task_(sim::MakeTask(options.task)),
+        suturing_(dynamic_cast<sim::SuturingTask*>(task_.get())) {}
+
+  void Run() {
+    tools::Progress progress("scenes", options_.scenes);
+    for (int i = 0; i < options_.scenes; ++i) {
+      RunScene(options_.seed + static_cast<std::uint64_t>(i));
+      progress.Step();
+    }
+  }
+  const Floor& one() const { return one_; }
+  const Floor& two() const { return two_; }
+
+ private:
+  // What the camera sees after each of `actions` from `state`; shorter where one of them failed.
+  std::vector<sim::Image> Take(const sim::TaskState& state, const std::vector<int>& actions,
+                               std::uint64_t noise) {
+    task_->Restore(state);
+    task_->SetNoiseSeed(noise);
+    std::vector<sim::Image> pictures;
+    for (const int action : actions) {
+      if (!sim::RunAction(*task_, action, nullptr)) break;
+      if (task_->progress().action_state != sim::ActionState::kSucceeded) break;
+      pictures.push_back(task_->Observe());
+    }
+    return pictures;
+  }
+
+  // As trials are made: a surgeon's order of gestures, else uniform among what is legal.
+  int Choose(const std::vector<int>& legal, int last, sim::RandomPlan* plan, sim::Random* random) {
+    if (suturing_ == nullptr) return plan->Choose(legal);
+    const int before = last < 0 ? sim::kGestures : last;
+    return sim::ChooseGesture(before, legal, suturing_->AllThrown(), random);
+  }
+
+  // The scene's own trial, a random one; from the beginning of each of its actions two more takes.
+  void RunScene(std::uint64_t seed) {
+    task_->Reset(seed);
+    sim::RandomPlan plan(task_->spec().successors, seed, /*retries=*/false);
+    sim::Random random(seed);
+    std::unique_ptr<sim::TaskState> before;  // the state before `last`
+    int last = -1;
+    for (int k = 0; k < options_.most_actions; ++k) {
+      const std::vector<int> legal = task_->LegalActions();
+      if (legal.empty()) return;
+      std::unique_ptr<sim::TaskState> state = task_->Save();
+      const int action = Choose(legal, last, &plan, &random);
+      if (before) Compare(*before, {last, action}, sim::MixSeeds({seed, 2U * k}));
+      task_->Restore(*state);
+      if (!sim::RunAction(*task_, action, nullptr)) return;
+      if (task_->progress().action_state != sim::ActionState::kSucceeded) return;
+      before = std::move(state);
+      last = action;
+    }
+  }
+
+  void Compare(const sim::TaskState& state, const std::vector<int>& actions, std::uint64_t noise) {
+    const auto first = Take(state, actions, noise), second = Take(state, actions, noise + 1);
+    if (!first.empty() && !second.empty()) one_.Add(Difference(first[0], second[0]));
+    if (first.size() > 1 && second.size() > 1) two_.Add(Difference(first[1], second[1]));
+  }
+
+  const Options& options_;
+  std::unique_ptr<sim::Task> task_;
+  sim::SuturingTask* suturing_;  // task_, if it is one
+  Floor one_, two_;
+};
+
+void AddOptions(CLI::App* app, Options* o) {
+  app->add_option("--task", o->task, "the task")->capture_default_str();
+  app->add_option("--seed", o->seed, "first scene")->capture_default_str();
+  app->add_option("--scenes", o->scenes, "scenes, a random trial each")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app->add_option("--actions", o->most_actions, "of a trial at most so many")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app->add_option("--json", o->json_file, "write it here, too");
+}
+
+int Tell(const Options& o, const Takes& takes) {
+  std::printf("two takes of one action:   MAE %.4f (%d pairs)\n", takes.one().mean(),
+              takes.one().samples);
+  std::printf("two takes of two actions:  MAE %.4f (%d pairs)\n", takes.two().mean(),
+              takes.two().samples);
+  if (o.json_file.empty()) return 0;
+  const nlohmann::json json = {
+      {"task", o.task},
+      {"seed", o.seed},
+      {"scenes", o.scenes},
+      {"x1", {{"mae", takes.one().mean()}, {"pairs", takes.one().samples}}},
+      {"x2", {{"mae", takes.two().mean()}, {"pairs", takes.two().samples}}}};
+  std::ofstream out(o.json_file);
+  out << json.dump(2) << '\n';
+  if (out.flush()) return 0;
+  std::fprintf(stderr, "prospect-takes: %s: cannot be written\n", o.json_file.c_str());
+  return kExitDisk;
+}
+
+int Main(const Options& options) {
+  try {
+    Takes takes(options);
+    takes.Run();
+    return Tell(options, takes);
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
+    return kExitFailed;
+  }
+}
+
+}  // namespace
+}  // namespace prospect
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Takes: from the same state the same actions twice, with fresh noise; how far the pictures "
+      "differ in the end (mean absolute error, without sensor noise). Takes in which an action "
+      "fails are left out.");
+  prospect::Options options;
+  prospect::AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : prospect::kExitUsage;
+  }
+  return prospect::Main(options);
+}
