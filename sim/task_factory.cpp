@@ -4,10 +4,11 @@
 
 #include "sim/navigation/navigation_task.h"
 #include "sim/stacking/stacking_task.h"
+#include "sim/suturing/suturing_task.h"
 
 namespace prospect::sim {
 
-std::vector<std::string> TaskNames() { return {"navigation", "stacking"}; }
+std::vector<std::string> TaskNames() { return {"navigation", "stacking", "suturing"}; }
 
 void SetPlanLength(const std::string& name, int plan_length, TaskOptions* options) {
   if (name != "stacking") {
@@ -35,6 +36,7 @@ void SetShift(const std::string& factor, int strength, TaskOptions* options) {
 std::unique_ptr<Task> MakeTask(const std::string& name, const TaskOptions& options) {
   if (name == "navigation") return std::make_unique<NavigationTask>(options);
   if (name == "stacking") return std::make_unique<StackingTask>(options);
+  if (name == "suturing") return std::make_unique<SuturingTask>(options);
   std::string known;
   for (const std::string& task : TaskNames()) known += (known.empty() ? "" : ", ") + task;
   throw std::invalid_argument("unknown task '" + name + "': the tasks are " + known);

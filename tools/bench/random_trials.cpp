@@ -12,13 +12,15 @@ namespace {
 
 constexpr int kSegmentFrames = 6;  // enough that frames inside lie 0.3 s before the end
 
+// Actions after which nothing may follow come only last.
 std::vector<int> RandomActions(const sim::TaskSpec& spec, int count, sim::Random* random) {
   std::vector<int> actions;
   int last = spec.null_action();
   for (int k = 0; k < count; ++k) {
     std::vector<int> onward;
     for (const int next : spec.successors[static_cast<std::size_t>(last)]) {
-      if (!spec.IsRetry(last, next)) onward.push_back(next);
+      const bool ends = spec.successors[static_cast<std::size_t>(next)].empty();
+      if (!spec.IsRetry(last, next) && (!ends || k + 1 == count)) onward.push_back(next);
     }
     last = onward.at(static_cast<std::size_t>(random->Below(static_cast<int>(onward.size()))));
     actions.push_back(last);
