@@ -17,11 +17,14 @@ const char* ToString(Sharing sharing);
 Sharing SharingFrom(const std::string& name);
 
 struct SearchParameters {
-  std::string rule = "paper";    // planner/selection_rule.h
-  double c = 10;                 // exploration constant of the paper's score, > 0
-  double c_puct = 1.25;          // exploration constant of PUCT, > 0
-  double c_done = 0.1;           // f below it: the action failed, value 0; [0, 1]
-  double v_failed = 0.1;         // V below it: this future is not followed further; [0, 1]
+  std::string rule = "paper";  // planner/selection_rule.h
+  double c = 10;               // exploration constant of the paper's score, > 0
+  double c_puct = 1.25;        // exploration constant of PUCT, > 0
+  double c_done = 0.1;         // f below it: the action failed, value 0; [0, 1]
+  // V below it: this future is not followed further; [0, 1]. The paper has 0.1; V on the way is
+  // that of a random continuation, so where two plans of twelve work it falls below that on all of
+  // them.
+  double v_failed = 0.02;
   double p_min = 0.01;           // p below it: the action cannot follow; [0, 1]
   double refusal_threshold = 0;  // a best score below it is refused; [0, 1]
   // Rollouts of all workers together, >= 1, whatever the sharing: workers that search apart each do

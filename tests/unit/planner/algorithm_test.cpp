@@ -17,6 +17,7 @@ namespace {
 
 SearchParameters Parameters(const std::string& rule, int samples) {
   SearchParameters parameters;
+  parameters.v_failed = 0.1;  // the paper's
   parameters.rule = rule;
   parameters.samples = samples;
   return parameters;

@@ -74,7 +74,7 @@ TEST(PlanReader, RefusesWhenEveryFutureFailsAndSaysWhy) {
 
 TEST(PlanReader, LowValueAtTheLastStepIsRejectedToo) {
   TableModel model = TwoActionModel();
-  model.At({1, 0}).value = 0.09f;
+  model.At({1, 0}).value = 0.01f;
   model.At({0, 1}).done = 0.09f;
   const Plan plan = PlanOf(model);
   EXPECT_EQ(plan.status, PlanStatus::kRefused);

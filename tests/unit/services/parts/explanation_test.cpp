@@ -21,6 +21,7 @@ PlanContext Context() {
   PlanContext context;
   context.rules = planner::AnyOrder(4, 3);
   context.parameters.refusal_threshold = 0.2;
+  context.parameters.v_failed = 0.1;
   context.names = {"a", "b", "c", "lift_from(green)"};
   return context;
 }
