@@ -1,46 +1,56 @@
-// Where other workers' rollouts are, as their requests tell between two of their batches. A request
-// for a path is a rollout that has come so far; one for a path below it is the same rollout further
-// on. A rollout counts on its whole path until its worker's next batch, whose rows then hold it as
-// completed or in flight; without that, workers would all go where one of them has just been. Not
-// thread safe; refers to a PathTree that must outlive it.
+// Where other workers' rollouts are, as their requests tell. A request for a path is a rollout that
+// has come so far; one for a path below it is the same rollout further on. Every visit that is so
+// heard of is announced to the statistics, once, and counts there until a row of its writer covers
+// it: rows of deep paths are sent rarely, and a worker that took such a path for unvisited in the
+// meantime would go where others have been (SharedStatistics::Announce).
+//
+// Not thread safe; refers to a PathTree and a SharedStatistics that must outlive it. Writers that
+// the statistics refuse are not followed.
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <unordered_map>
 #include <vector>
 
 #include "planner/path_tree.h"
+#include "planner/shared_statistics.h"
 
 namespace prospect::planner {
 
 class ForeignRollouts {
  public:
-  explicit ForeignRollouts(const PathTree* paths) : paths_(paths) {}
+  ForeignRollouts(const PathTree* paths, SharedStatistics* statistics)
+      : paths_(paths), statistics_(statistics) {}
 
-  // `writer` asked for `id` at now_us.
-  void Hear(std::uint64_t writer, PathId id, std::int64_t now_us);
-  // A batch of `writer` came: its rollouts count no more, unless they still wait for an answer.
-  // Neither do anybody's that were heard before `oldest_us`.
-  void Settle(std::uint64_t writer, std::int64_t oldest_us,
-              const std::function<bool(PathId)>& answered);
-  // Rollouts that count at `id`.
-  std::int64_t At(PathId id) const {
-    return id < static_cast<int>(counts_.size()) ? counts_[id] : 0;
-  }
+  // `writer` asked for `id` at now_us. `answered`: its evaluation is known here already. A request
+  // heard again changes nothing. Of two that wait for one path, the one with the higher id gives
+  // its rollout up, as Search does.
+  void Hear(std::uint64_t writer, PathId id, bool answered, std::int64_t now_us);
+  // The rollout of `writer` that waits at `id`, if there is one, is given up: it counts no more.
+  void GiveUp(std::uint64_t writer, PathId id);
+  // The evaluation of `id` came.
+  void Answer(PathId id);
+  // Rollouts last heard of before `oldest_us` are followed no further; those that were never
+  // answered count no more.
+  void Forget(std::int64_t oldest_us);
 
  private:
   struct Rollout {
-    std::uint64_t writer;
     PathId leaf;
+    bool answered;
     std::int64_t heard_us;
   };
+  using Rollouts = std::vector<Rollout>;
 
-  void Count(PathId leaf, PathId above, int sign);
+  bool Follow(Rollouts* rollouts, std::uint64_t writer, const Rollout& now);
+  void WaitAt(std::uint64_t writer, PathId id);
   bool IsBelow(PathId id, PathId above) const;
 
   const PathTree* paths_;
-  std::vector<Rollout> rollouts_;
-  std::vector<std::int32_t> counts_;  // by path id
+  SharedStatistics* statistics_;
+  std::unordered_map<std::uint64_t, Rollouts> rollouts_;  // by writer
+  std::unordered_map<PathId, std::uint64_t> waiting_;     // unanswered path -> the writer there
+  std::int64_t forgot_us_ = 0;                            // Forget's last `oldest_us`
 };
 
 }  // namespace prospect::planner

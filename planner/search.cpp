@@ -76,7 +76,7 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       settlement_(parameters_.stop_when_proven, parameters_.stop_when_stable),
       children_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index)),
                 parameters_.seed),
-      foreign_(&paths_),
+      foreign_(&paths_, &statistics_),
       tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))) {
   if (!PathTree(rules_.num_actions).Valid(executed_)) {
     throw std::invalid_argument("executed actions are not of this task: " + ToString(executed_));
@@ -96,6 +96,7 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
   if (stored == Stored::kReplaced) children_.Forget(id);
   if (NodeOf(id).pending == Pending::kOwn) ++own_evaluations_;
   SetPending(id, Pending::kNo, 0);
+  foreign_.Answer(id);
   UpdateExhausted(id);
   if (stored == Stored::kNew) return Delivery::kNew;
   return stored == Stored::kReplaced ? Delivery::kReplaced : Delivery::kDuplicate;
@@ -107,13 +108,23 @@ void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us,
   for (const Path& path : paths) {
     if (path.size() > kMaxPathLength || !rules_.Legal(executed_, path)) continue;
     const PathId id = paths_.Add(path);
-    if (writer != 0) foreign_.Hear(writer, id, now_us);
-    if (evaluations_.Has(id)) continue;
+    const bool answered = evaluations_.Has(id);
+    if (writer != 0) foreign_.Hear(writer, id, answered, now_us);
+    if (answered) continue;
     if (NodeOf(id).pending == Pending::kOwn) {
-      if (writer != 0 && writer < identity_.writer) LeaveTo(id);
+      if (writer != 0) OneStays(writer, id);
       continue;
     }
     SetPending(id, Pending::kForeign, now_us);
+  }
+}
+
+// This worker and another wait for one path: the same rollout would count twice.
+void Search::OneStays(std::uint64_t writer, PathId id) {
+  if (writer < identity_.writer) {
+    LeaveTo(id);
+  } else {
+    foreign_.GiveUp(writer, id);
   }
 }
 
@@ -122,8 +133,7 @@ int Search::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
   if (!TakesFromOthers() && !apart_until_done) return 0;
   if (parameters_.sharing == Sharing::kFull) claims_.Share(OwnBegun(), now_us);
   const int changed = statistics_.Merge(batch, now_us);
-  foreign_.Settle(batch.writer, now_us - parameters_.patience_us,
-                  [this](PathId id) { return evaluations_.Has(id); });
+  foreign_.Forget(now_us - parameters_.patience_us);
   Absorb();
   return changed;
 }
@@ -281,8 +291,7 @@ void Search::Abandon(const Path& path) {
   LeaveTo(id);
 }
 
-// Gives up the rollouts that wait for `id`: it will not come, or another worker asked for it at the
-// same time and the same rollout would count twice.
+// Gives up the rollouts that wait for `id`.
 void Search::LeaveTo(PathId id) {
   const auto waits = [id](PathId at) { return at == id; };
   for (const PathId at : rollouts_) {

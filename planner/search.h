@@ -76,8 +76,8 @@ class Search {
   // it move at the next Advance.
   Delivery Deliver(const Path& path, const Evaluation& evaluation, std::uint64_t fingerprint);
   // Another worker asked for these paths: this worker does not ask too, for patience_us. Its
-  // rollouts count as in flight there until its next batch says more, if `writer` tells whose they
-  // are (0: unknown; then only the path itself counts, until its evaluation comes).
+  // rollouts count as in flight along their whole paths until its rows hold them, if `writer` tells
+  // whose they are (0: unknown; then only the path itself counts, until its evaluation comes).
   void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us, std::uint64_t writer = 0);
   // Other workers' rows; see SharedStatistics::Merge. Workers that search apart (a search that was
   // never told to Advance only watches, and takes all) take none until their part is done, and with
@@ -183,6 +183,7 @@ class Search {
   // Many rollouts: search.cpp.
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
   int StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  void OneStays(std::uint64_t writer, PathId id);
   void LeaveTo(PathId id);
   void AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests);
   bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);

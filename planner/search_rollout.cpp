@@ -95,7 +95,7 @@ ParentView Search::ViewOf(PathId id, const ChildLists::List& list) const {
   const PathTotals& totals = statistics_.totals(id);
   ParentView view{};
   view.visits = totals.visits;
-  view.in_flight = totals.in_flight;
+  view.in_flight = totals.in_flight + totals.announced;
   view.mean = totals.visits > 0 ? totals.mean() : evaluations_.value(id);
   view.q_sum = list.q_sum;
   view.root = id == kRoot;
@@ -114,7 +114,8 @@ void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
     view = {entry.q, 0, 0, 0, 0, entry.tie, entry.draw};
     if (entry.id == kNoPath) continue;
     const PathTotals& totals = statistics_.totals(entry.id);
-    view.in_flight = alone ? totals.in_flight + AskedElsewhere(entry.id)
+    view.in_flight = alone ? totals.in_flight +
+                                 std::max<std::int64_t>(totals.announced, AskedElsewhere(entry.id))
                            : statistics_.own_in_flight(entry.id) + InFlightOfOthers(entry.id);
     if (totals.visits == 0) continue;
     view.visits = totals.visits;
@@ -142,14 +143,12 @@ void Search::LetOthersChooseFirst(PathId id, const ChildLists::List& list,
   }
 }
 
-// What their rows say, or what was heard since, whichever is more.
+// What their rows say and what was heard since.
 std::int64_t Search::InFlightOfOthers(PathId id) const {
   if (id == kNoPath) return 0;
   const PathTotals& totals = statistics_.totals(id);
-  const std::int64_t told = totals.in_flight - statistics_.own_in_flight(id);
-  if (told > 0 || statistics_.live_writers() == 1)
-    return std::max({told, foreign_.At(id), AskedElsewhere(id)});
-  return std::max({foreign_.At(id), AskedElsewhere(id), VisitedElsewhere(id, totals)});
+  const std::int64_t told = totals.in_flight + totals.announced - statistics_.own_in_flight(id);
+  return told > 0 ? told : std::max(AskedElsewhere(id), VisitedElsewhere(id, totals));
 }
 
 // Whether another worker waits for it.

@@ -26,10 +26,6 @@ auto MergeKey(const RowLike& row, bool direct) {
   return std::make_tuple(row.visits, row.version, direct, row.value_sum, Bits(row.best));
 }
 
-std::uint64_t KeyOf(int writer, PathId id) {
-  return static_cast<std::uint64_t>(writer) << 32 | static_cast<std::uint32_t>(id);
-}
-
 bool InUnit(float x) { return x >= 0.0f && x <= 1.0f; }
 
 bool SumInRange(const StatisticsRow& row) {
@@ -118,21 +114,23 @@ std::int64_t SharedStatistics::own_in_flight(PathId id) const {
   return id >= 0 && id < static_cast<int>(own_rows_.size()) ? own_rows_[id].in_flight : 0;
 }
 
+std::int64_t SharedStatistics::own_visits(PathId id) const {
+  return id >= 0 && id < static_cast<int>(own_rows_.size()) ? own_rows_[id].visits : 0;
+}
+
 SharedStatistics::Row& SharedStatistics::RowOf(int writer, PathId id) {
   if (writer == kOwn) return OwnRow(id);
-  const auto next = static_cast<std::uint32_t>(other_rows_.size());
-  const auto [found, added] = other_index_.emplace(KeyOf(writer, id), next);
-  if (added) {
-    other_rows_.emplace_back();
-    writers_[writer].paths.push_back(id);
-  }
-  return other_rows_[found->second];
+  const std::uint32_t found = other_index_.Find(writer, id);
+  if (found != RowIndex::kNone) return other_rows_[found];
+  other_index_.Add(writer, id, static_cast<std::uint32_t>(other_rows_.size()));
+  writers_[writer].paths.push_back(id);
+  return other_rows_.emplace_back();
 }
 
 const SharedStatistics::Row* SharedStatistics::FindRow(int writer, PathId id) const {
   if (writer == kOwn) return id < static_cast<int>(own_rows_.size()) ? &own_rows_[id] : nullptr;
-  const auto found = other_index_.find(KeyOf(writer, id));
-  return found == other_index_.end() ? nullptr : &other_rows_[found->second];
+  const std::uint32_t found = other_index_.Find(writer, id);
+  return found == RowIndex::kNone ? nullptr : &other_rows_[found];
 }
 
 PathTotals& SharedStatistics::TotalsOf(PathId id) {
@@ -177,6 +175,28 @@ std::int64_t SharedStatistics::rows() const {
   std::int64_t count = 0;
   for (const Writer& writer : writers_) count += writer.count;
   return count;
+}
+
+// --- what is heard of others not by rows
+
+bool SharedStatistics::Announce(std::uint64_t writer, PathId leaf, PathId above, int sign) {
+  if (writer == 0 || writer == options_.writer || !RoomFor(writer)) return false;
+  const int index = WriterIndex(writer);
+  for (PathId id = leaf; id != above && id != kNoPath; id = paths_->parent(id)) {
+    Row& row = RowOf(index, id);
+    if (row.announced + sign < 0) continue;  // a row has come since
+    row.announced += sign;
+    TotalsOf(id).announced += sign;
+  }
+  return true;
+}
+
+// What was announced beside `before` and is not in `row`.
+std::int32_t SharedStatistics::NotCovered(const Row& before, const Row& row) {
+  if (row.direct) return 0;
+  const std::int64_t covered = row.visits + row.in_flight - before.visits - before.in_flight;
+  const std::int64_t left = before.announced - covered;
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(left, 0, before.announced));
 }
 
 // --- merging
@@ -270,6 +290,7 @@ bool SharedStatistics::ReplaceRow(int writer, PathId id, const Row& fresh) {
   const Row before = row;
   row = fresh;
   row.known = before.known;
+  row.announced = NotCovered(before, row);
   row.digest = RowDigest(row, id);
   NoteKnown(writer, id, &row);
   writers_[writer].digest += row.digest - before.digest;
@@ -278,6 +299,7 @@ bool SharedStatistics::ReplaceRow(int writer, PathId id, const Row& fresh) {
   PathTotals& totals = TotalsOf(id);
   if (row.visits > 0) NoteFirstVisit(id, totals.visits);
   totals.visits += row.visits - before.visits;
+  totals.announced += row.announced - before.announced;
   totals.value_sum += row.value_sum - before.value_sum;
   if (writers_[writer].live) totals.in_flight += row.in_flight - before.in_flight;
   // An honest writer's v* only grows; a dishonest one must still leave the maximum of all rows.
@@ -321,8 +343,11 @@ void SharedStatistics::SetLive(int index, bool live) {
   const int sign = live ? 1 : -1;
   live_writers_ += sign;
   for (const PathId id : writer.paths) {
-    const std::int32_t in_flight = FindRow(index, id)->in_flight;
-    if (in_flight != 0) TotalsOf(id).in_flight += sign * in_flight;
+    Row& row = RowOf(index, id);
+    if (row.in_flight != 0) TotalsOf(id).in_flight += sign * row.in_flight;
+    if (live || row.announced == 0) continue;
+    TotalsOf(id).announced -= row.announced;
+    row.announced = 0;
   }
 }
 

@@ -10,6 +10,9 @@
 // receiver's own steady clock; relays and duplicates do not renew it, so a killed worker stops
 // repelling the others after one lease.
 //
+// Between two rows of a path others' visits are known of from elsewhere: Announce. A row covers
+// what was announced of its writer before it, so that every visit counts once.
+//
 // Not thread safe. Refers to a PathTree that must outlive it. Time is an argument, in microseconds
 // of any steady clock. Rows that break the rules of planner/statistics_batch.h are refused and
 // counted, never thrown at the caller.
@@ -20,6 +23,7 @@
 #include <vector>
 
 #include "planner/path_tree.h"
+#include "planner/row_index.h"
 #include "planner/statistics_batch.h"
 
 namespace prospect::planner {
@@ -42,6 +46,7 @@ struct PathTotals {
   std::int64_t value_sum = 0;  // W, in units of 1 / kValueOne
   std::int64_t in_flight = 0;  // live O
   float best = 0;              // v*
+  std::int32_t announced = 0;  // others' visits that are in no row yet: Announce
   double mean() const {
     return visits > 0 ? static_cast<double>(value_sum) / kValueOne / visits : 0;
   }
@@ -86,6 +91,13 @@ class SharedStatistics {
   // --- sums over all writers. Unknown ids have all zeros.
   const PathTotals& totals(PathId id) const;
   std::int64_t own_in_flight(PathId id) const;  // this writer's part of O
+  std::int64_t own_visits(PathId id) const;     // and of N
+
+  // Another writer's visits to the nodes from `leaf` up to, but not at, `above` (kNoPath: up to the
+  // root), begun (+1) or given up (-1), heard of not by a row. They count as announced until a row
+  // of that writer's own comes for the node, or its lease ends; a relayed row takes off them what
+  // it adds. False, and nothing happens, for this writer itself and for writers beyond max_writers.
+  bool Announce(std::uint64_t writer, PathId leaf, PathId above, int sign);
 
   // --- exchange
   // Takes over what is newer, and tells live from silent writers at time `now_us`. Returns how many
@@ -137,8 +149,9 @@ class SharedStatistics {
     std::uint64_t digest = 0;  // RowDigest of the above
     float best = 0;
     std::int32_t in_flight = 0;
-    bool direct = false;  // heard from the writer itself
-    bool known = false;   // listed in known_
+    std::int32_t announced = 0;  // since this row came
+    bool direct = false;         // heard from the writer itself
+    bool known = false;          // listed in known_
   };
   struct Sent {
     std::int64_t visits = 0;
@@ -174,6 +187,7 @@ class SharedStatistics {
   bool AcceptBatch(const StatisticsBatch& batch);
   void NoteHeard(const StatisticsBatch& batch, std::int64_t now_us);
   bool Sound(const StatisticsRow& row);
+  static std::int32_t NotCovered(const Row& before, const Row& row);
   bool MergeRow(const StatisticsRow& row, int writer, bool direct);
   bool ReplaceRow(int writer, PathId id, const Row& fresh);
   float BestOverWriters(PathId id) const;
@@ -194,7 +208,7 @@ class SharedStatistics {
   std::vector<Row> own_rows_;       // by path id
   // Rows of others, found by (writer index, path id): a thousand writers each know few paths.
   std::vector<Row> other_rows_;
-  std::unordered_map<std::uint64_t, std::uint32_t> other_index_;
+  RowIndex other_index_;
   std::vector<Sent> sent_;  // by path id, own rows
   std::vector<PathId> dirty_;
   std::vector<RowKey> known_;  // every row ever known, in order of appearance

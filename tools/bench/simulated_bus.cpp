@@ -76,6 +76,8 @@ class SimulatedBus {
   // Figures.
   void LookHowFresh();
   void Close();
+  void SendToAll(Search* sender);
+  bool AllExact() const;
   void ReadOff();
 
   BusOptions options_;
@@ -297,10 +299,11 @@ void SimulatedBus::Reply(Answers answers) {
 // Remembers what visits there are in the top levels, and looks 100 ms later who knows of them.
 void SimulatedBus::LookHowFresh() {
   auto truth = std::make_shared<std::map<Path, std::int64_t>>();
-  for (std::size_t i = 0; i < workers_.size(); ++i) {
-    for (const auto& row : workers_[i].search->statistics().AllRows()) {
-      const bool top = !row.path.empty() && row.path.size() <= kTopLevels;
-      if (top && row.writer == i + 1) (*truth)[row.path] += row.visits;
+  for (const Worker& worker : workers_) {
+    const planner::PathTree& paths = worker.search->paths();
+    for (planner::PathId id = planner::kRoot + 1; id < paths.size(); ++id) {
+      const std::int64_t visits = worker.search->statistics().own_visits(id);
+      if (visits > 0 && paths.depth(id) <= kTopLevels) (*truth)[paths.PathOf(id)] += visits;
     }
   }
   events_.At(events_.now_us() + kFreshUs, [this, truth] {
@@ -319,24 +322,39 @@ void SimulatedBus::LookHowFresh() {
   });
 }
 
-// What ends a search: two rounds of everybody's rows, over a bus that loses nothing.
+// What ends a search: at most two rounds of everybody's rows, over a bus that loses nothing.
+// Batches that everybody knows already change nothing, so it is over when all tables are equal.
 void SimulatedBus::Close() {
   if (options_.parameters.sharing == planner::Sharing::kNone || options_.workers > 16) return;
-  const std::int64_t now_us = events_.now_us();
-  for (Worker& sender : workers_) {
-    auto& statistics = sender.search->statistics();
-    const std::int64_t rounds = statistics.round_robin_rounds();
-    while (statistics.round_robin_rounds() < rounds + 2) {
-      const StatisticsBatch batch = sender.search->MakeBatch(60'000, now_us);
-      for (Worker& receiver : workers_) receiver.search->Merge(batch, now_us);
+  std::vector<std::int64_t> rounds;
+  for (const Worker& sender : workers_) {
+    rounds.push_back(sender.search->statistics().round_robin_rounds());
+  }
+  for (bool more = true; more && !AllExact();) {
+    more = false;
+    for (std::size_t i = 0; i < workers_.size(); ++i) {
+      if (workers_[i].search->statistics().round_robin_rounds() >= rounds[i] + 2) continue;
+      SendToAll(workers_[i].search.get());
+      more = true;
     }
   }
-  for (const Worker& worker : workers_) {
+  result_.exact = AllExact();
+}
+
+void SimulatedBus::SendToAll(Search* sender) {
+  const std::int64_t now_us = events_.now_us();
+  const StatisticsBatch batch = sender->MakeBatch(options_.tick_bytes, now_us);
+  for (Worker& receiver : workers_) receiver.search->Merge(batch, now_us);
+}
+
+// All tables are equal, and hold every rollout.
+bool SimulatedBus::AllExact() const {
+  const std::uint64_t digest = workers_.front().search->statistics().digest();
+  return std::all_of(workers_.begin(), workers_.end(), [&](const Worker& worker) {
     const auto& statistics = worker.search->statistics();
-    const bool same = statistics.digest() == workers_.front().search->statistics().digest();
-    const bool whole = statistics.totals(planner::kRoot).visits == result_.rollouts;
-    if (!same || !whole) result_.exact = false;
-  }
+    return statistics.digest() == digest &&
+           statistics.totals(planner::kRoot).visits == result_.rollouts;
+  });
 }
 
 void SimulatedBus::ReadOff() {

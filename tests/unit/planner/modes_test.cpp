@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "planner/foreign_rollouts.h"
 #include "planner/model_source.h"
 #include "planner/scripted_model.h"
 #include "planner/search.h"
@@ -149,25 +148,6 @@ TEST(Collisions, OfTwoThatAskForOnePathOneGoesElsewhere) {
   high.NoteRequested({{}}, 0, 1);
   EXPECT_EQ(low.waiting(), 1);
   EXPECT_EQ(high.waiting(), 0);
-}
-
-TEST(ForeignRollouts, CountOnTheirWholePathUntilTheNextBatch) {
-  PathTree paths(4);
-  ForeignRollouts rollouts(&paths);
-  const PathId first = paths.Add({1}), deeper = paths.Add({1, 2}), other = paths.Add({3});
-  rollouts.Hear(5, first, 0);
-  rollouts.Hear(5, deeper, 10);  // the same rollout, further on
-  rollouts.Hear(6, other, 20);
-  EXPECT_EQ(rollouts.At(kRoot), 2);
-  EXPECT_EQ(rollouts.At(first), 1);
-  EXPECT_EQ(rollouts.At(deeper), 1);
-  rollouts.Settle(5, -1, [](PathId) { return false; });  // still waits
-  EXPECT_EQ(rollouts.At(deeper), 1);
-  rollouts.Settle(5, -1, [](PathId) { return true; });
-  EXPECT_EQ(rollouts.At(deeper), 0);
-  EXPECT_EQ(rollouts.At(kRoot), 1);
-  rollouts.Settle(5, 21, [](PathId) { return false; });  // too long ago
-  EXPECT_EQ(rollouts.At(kRoot), 0);
 }
 
 // --- warm start

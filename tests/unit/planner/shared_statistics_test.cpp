@@ -74,6 +74,22 @@ TEST(SharedStatistics, CountsOwnRollouts) {
   EXPECT_TRUE(table.statistics.TakeNewlyVisited().empty());
 }
 
+TEST(RowIndex, FindsEachKeyAndNoOther) {
+  RowIndex index;
+  EXPECT_EQ(index.Find(0, 0), RowIndex::kNone);
+  std::uint32_t place = 0;
+  for (int writer = 1; writer < 40; ++writer) {
+    for (PathId id = 0; id < 500; id += writer) index.Add(writer, id, place++);
+  }
+  place = 0;
+  for (int writer = 1; writer < 40; ++writer) {
+    for (PathId id = 0; id < 500; ++id) {
+      ASSERT_EQ(index.Find(writer, id), id % writer == 0 ? place++ : RowIndex::kNone);
+    }
+    EXPECT_EQ(index.Find(writer + 40, 0), RowIndex::kNone);
+  }
+}
+
 TEST(SharedStatistics, RefusesBadOptions) {
   PathTree tree(2);
   SharedStatisticsOptions options;
