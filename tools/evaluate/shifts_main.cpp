@@ -73,6 +73,7 @@ json KeyOf(const Options& o) {
           {"objects", sweep.world.objects},
           {"legs", sweep.world.legs},
           {"samples", sweep.search.samples},
+          {"v_failed", sweep.search.v_failed},
           {"novelty", sweep.novelty_level},
           {"threshold", sweep.search.refusal_threshold}};
 }
