@@ -21,6 +21,7 @@ inline constexpr int kMaxPathsPerRequest = 256;
 /// counter's name
 std::string Validate(const action_command_t& message);
 std::string Validate(const action_status_t& message);
+std::string Validate(const calibration_t& message);
 std::string Validate(const expand_reply_t& message);
 std::string Validate(const expand_request_t& message);
 std::string Validate(const health_t& message);

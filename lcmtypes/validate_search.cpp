@@ -32,7 +32,28 @@ void CheckEvaluation(const evaluation_t& evaluation, ValueCheck& check) {
       .That(IsAscending(evaluation.actions), "evaluations: actions out of order");
 }
 
+bool AllWithin(const std::vector<std::uint8_t>& values, int low, int high) {
+  return std::all_of(values.begin(), values.end(),
+                     [&](int value) { return InRange(value, low, high); });
+}
+
+bool AreAscendingProbabilities(const std::vector<float>& values) {
+  return std::is_sorted(values.begin(), values.end()) &&
+         std::all_of(values.begin(), values.end(), [](float v) { return IsProbability(v); });
+}
+
 }  // namespace
+
+std::string Validate(const calibration_t& message) {
+  ValueCheck check;
+  check.That(AreFinite(message.parameter_values), "parameter_values: not finite")
+      .That(AreAscendingProbabilities(message.scores), "scores: not ascending within 0..1")
+      .That(AllWithin(message.classes, message.CLASS_SOLVABLE, message.CLASS_DOUBTFUL),
+            "classes: unknown")
+      .That(AllWithin(message.endings, message.ENDING_SOLVED, message.ENDING_REFUSED),
+            "endings: unknown");
+  return check.Result();
+}
 
 std::string Validate(const expand_reply_t& message) {
   ValueCheck check;

@@ -1,19 +1,39 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+
+#include "model/refusal/sample.h"
 
 namespace prospect::model {
 
+struct WeightsFile;  // model/weights.h
+
 /// How a refusal threshold was found; stored with it in the weights' metadata.
 struct Calibration {
-  double refusal_threshold = 0;  ///< plans that score below it are to be refused, 0..1
-  double alpha = 0;              ///< share of solvable scenes that it may refuse
-  int scenes = 0;                ///< solvable calibration scenes it was taken from
-  std::string command;           ///< that found it
+  double refusal_threshold = 0;   ///< plans that score below it are to be refused, 0..1
+  std::optional<double> alpha;    ///< asked for: share of solvable scenes that it may refuse
+  std::optional<double> epsilon;  ///< asked for: share of attempts that may fail
+  double delta = 0.1;             ///< epsilon holds with probability 1 - delta
+  int scenes = 0;                 ///< solvable calibration scenes it was taken from
+  std::string command;            ///< that found it
+  CalibrationSample sample;       ///< empty in files of version 0.2 and before
 };
 
-/// Rewrites the weights file with this calibration: same tensors, atomically. The weights' hash
-/// changes, since it is over the whole file. Throws WeightsError (model/weights_error.h).
+/// Rewrites the weights file with this calibration: same tensors, atomically, other metadata kept.
+/// The weights' hash changes, since it is over the whole file; what the calibration belongs to is
+/// the hash of the tensors, which is stored with it. Throws WeightsError (model/weights_error.h).
 void StoreCalibration(const std::string& weights_path, const Calibration& calibration);
+
+/// The calibration in a file's metadata; an empty one where there is none. Throws WeightsError that
+/// names `path` where it is damaged, or was made for other tensors.
+Calibration CalibrationOf(const WeightsFile& file, const std::string& path);
+/// The same of a file on disk.
+Calibration CalibrationOf(const std::string& path);
+
+/// Hash of names, shapes and values of the tensors as 16-bit floats, which is how they are written:
+/// equal for equal networks, whatever the metadata.
+std::uint64_t TensorsHash(const WeightsFile& file);
 
 }  // namespace prospect::model

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/refusal/sample.h"
+
 namespace prospect::model {
 
 /// A hidden state, EngineInfo::hidden_size floats. Only engines know what is in it.
@@ -36,6 +38,7 @@ struct EngineInfo {
   int image_width = 0, image_height = 0;
   int hidden_size = 0;
   double refusal_threshold = 0;  ///< calibration: plans that score below it are to be refused
+  CalibrationSample calibration;  ///< for thresholds of any promise; may be empty
   /// False: the weights hold no V, Q, p and f, so they predict pictures and nothing can be
   /// searched. Evaluate and Expand then answer 0 for all four.
   bool judges = true;

@@ -41,6 +41,7 @@ ScriptedEngine::ScriptedEngine(const ScriptedOptions& options) : options_(option
   info_.image_height = options.image_height;
   info_.hidden_size = kHiddenSize;
   info_.refusal_threshold = options.refusal_threshold;
+  info_.calibration = options.calibration;
 }
 
 Hidden ScriptedEngine::Encode(const std::uint8_t* rgb) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "model/calibration.h"
 #include "model/engine.h"
 #include "model/hash.h"
 #include "model/networks/light.h"
@@ -29,7 +30,7 @@ NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
   return config;
 }
 
-EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
+EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config, const std::string& path) {
   EngineInfo info;
   info.judges = HasModule(file, "value") || HasModule(file, "q");
   info.engine = info.judges ? "torch" : "torch, pictures only";
@@ -39,8 +40,9 @@ EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
   info.image_width = config.image_width;
   info.image_height = config.image_height;
   info.hidden_size = config.hidden_size();
-  const json calibration = file.metadata.value("calibration", json::object());
-  info.refusal_threshold = calibration.value("refusal_threshold", 0.0);
+  const Calibration calibration = CalibrationOf(file, path);
+  info.refusal_threshold = calibration.refusal_threshold;
+  info.calibration = calibration.sample;
   return info;
 }
 
@@ -113,7 +115,7 @@ class TorchEngine : public Engine {
  private:
   TorchEngine(const WeightsFile& file, const std::string& path, int threads)
       : networks_(ConfigOf(file, path)),
-        info_(InfoOf(file, networks_.config)),
+        info_(InfoOf(file, networks_.config, path)),
         weights_hash_(file.hash),
         compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
         pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {

@@ -29,8 +29,9 @@ struct CalibrationScene {
 };
 
 /// How plans of some weights fared on scenes drawn like those to come; from it a threshold for any
-/// promise is chosen (promise.h). What happens above a threshold is what happened to the scenes
-/// that score above it: with a threshold an episode takes the same course, or stops earlier.
+/// promise is chosen (promise.h). A promise is about beginning: whether the first search's plan is
+/// acted on. Later searches of an episode are held to the same threshold, which may stop it, or
+/// have a lost plan begun anew, where the sample went on.
 struct CalibrationSample {
   std::vector<CalibrationScene> scenes;  ///< scores ascending
   std::string rule;                      ///< of the searches

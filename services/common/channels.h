@@ -30,6 +30,7 @@ constexpr const char* ChannelOf();
 // clang-format off
 template <> constexpr const char* ChannelOf<action_command_t>() { return "ACTION_COMMAND"; }
 template <> constexpr const char* ChannelOf<action_status_t>() { return "ACTION_STATUS"; }
+template <> constexpr const char* ChannelOf<calibration_t>() { return "CALIBRATION"; }
 template <> constexpr const char* ChannelOf<expand_reply_t>() { return "EXPAND_REPLY"; }
 template <> constexpr const char* ChannelOf<expand_request_t>() { return "EXPAND_REQUEST"; }
 template <> constexpr const char* ChannelOf<health_t>() { return "HEALTH"; }

@@ -97,23 +97,13 @@ Target TargetOf() {
 }  // namespace
 
 const std::vector<Target>& Targets() {
-  static const std::vector<Target> kTargets = {TargetOf<action_command_t>(),
-                                               TargetOf<action_status_t>(),
-                                               TargetOf<expand_reply_t>(),
-                                               TargetOf<expand_request_t>(),
-                                               TargetOf<health_t>(),
-                                               TargetOf<label_t>(),
-                                               TargetOf<model_info_t>(),
-                                               TargetOf<observation_t>(),
-                                               TargetOf<plan_t>(),
-                                               TargetOf<predict_reply_t>(),
-                                               TargetOf<predict_request_t>(),
-                                               TargetOf<search_image_t>(),
-                                               TargetOf<search_root_t>(),
-                                               TargetOf<search_statistics_t>(),
-                                               TargetOf<search_stop_t>(),
-                                               TargetOf<sim_command_t>(),
-                                               TargetOf<task_t>()};
+  static const std::vector<Target> kTargets = {
+      TargetOf<action_command_t>(), TargetOf<action_status_t>(),  TargetOf<calibration_t>(),
+      TargetOf<expand_reply_t>(),   TargetOf<expand_request_t>(), TargetOf<health_t>(),
+      TargetOf<label_t>(),          TargetOf<model_info_t>(),     TargetOf<observation_t>(),
+      TargetOf<plan_t>(),           TargetOf<predict_reply_t>(),  TargetOf<predict_request_t>(),
+      TargetOf<search_image_t>(),   TargetOf<search_root_t>(),    TargetOf<search_statistics_t>(),
+      TargetOf<search_stop_t>(),    TargetOf<sim_command_t>(),    TargetOf<task_t>()};
   return kTargets;
 }
 

@@ -12,6 +12,8 @@ if [[ -z ${PROSPECT_PRIVATE_BUS:-} ]]; then
   exec "$root/tests/integration/with_bus.sh" "$0" "$@"
 fi
 lcm-logger -q "$work/log" &
+# Scripted weights carry no calibration; it is said in each of the first seconds.
+timeout -s INT 4 "$bin/prospect-model-server" --weights "$root/model/weights/navigation.safetensors" >"$work/calibrated" 2>&1 || true
 "$bin/prospect-simulator" --objects 7 >"$work/simulator" 2>&1 &
 "$bin/prospect-model-server" --weights scripted:7 >"$work/model" 2>&1 &
 for i in 1 2; do "$bin/prospect-worker" >"$work/worker$i" 2>&1 & done

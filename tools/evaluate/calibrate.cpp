@@ -1,19 +1,116 @@
 #include "tools/evaluate/calibrate.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iostream>
 
 namespace prospect::tools {
+namespace {
 
-double ConformalThreshold(const std::vector<SceneRecord>& scenes, double alpha, int* solvable) {
-  std::vector<double> scores;
-  for (const SceneRecord& scene : scenes) {
-    if (scene["class"] == "solvable") scores.push_back(scene["rows"]["planner"]["score"]);
+using model::SceneClass;
+using model::SceneEnding;
+
+SceneClass ClassFrom(const std::string& name) {
+  if (name == "solvable") return SceneClass::kSolvable;
+  if (name == "hopeless") return SceneClass::kHopeless;
+  if (name == "doubtful") return SceneClass::kDoubtful;
+  throw std::invalid_argument("unknown class '" + name + "' in a record");
+}
+
+SceneEnding EndingFrom(const std::string& name) {
+  if (name == "solved") return SceneEnding::kSolved;
+  if (name == "failed") return SceneEnding::kFailed;
+  if (name == "stopped") return SceneEnding::kStopped;
+  if (name == "refused") return SceneEnding::kRefused;
+  throw std::invalid_argument("unknown ending '" + name + "' in a record");
+}
+
+// A refused scene's score is that of a future that was given up: it says nothing.
+model::CalibrationScene SceneFrom(const SceneRecord& record) {
+  const auto& row = record.at("rows").at("planner");
+  model::CalibrationScene scene;
+  scene.scene_class = ClassFrom(record.at("class"));
+  scene.ending = EndingFrom(row.at("ending"));
+  if (scene.attempted()) scene.score = std::clamp(row.at("score").get<double>(), 0.0, 1.0);
+  return scene;
+}
+
+void Tell(const std::vector<std::string>& words) {
+  for (const std::string& sentence : words) std::cout << sentence << "\n";
+}
+
+}  // namespace
+
+void AddPromiseOptions(CLI::App* app, model::Promise* promise) {
+  const auto share = CLI::Range(0.0001, 0.9999);
+  app->add_option("--alpha,--refuse-at-most", promise->refuse_at_most,
+                  "Share of solvable scenes that may be refused: the threshold is chosen so; with "
+                  "--calibrate 0.05 if neither this nor --epsilon is given")
+      ->check(share);
+  app->add_option("--epsilon,--fail-at-most", promise->fail_at_most,
+                  "Share of attempted scenes that may fail: the threshold is chosen so")
+      ->check(share);
+  app->add_option("--delta", promise->delta,
+                  "--epsilon holds with probability 1 - delta over calibration samples")
+      ->check(share)
+      ->capture_default_str();
+}
+
+model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes) {
+  model::CalibrationSample sample;
+  try {
+    for (const SceneRecord& record : scenes) {
+      if (!record.at("solved_at_start").get<bool>()) sample.scenes.push_back(SceneFrom(record));
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(std::string("a record is not one of a scene: ") + error.what());
   }
-  std::sort(scores.begin(), scores.end());
-  *solvable = static_cast<int>(scores.size());
-  const auto k = static_cast<std::size_t>(std::floor(alpha * (scores.size() + 1.0)));
-  return k == 0 ? 0 : scores[std::min(k, scores.size()) - 1];
+  std::stable_sort(sample.scenes.begin(), sample.scenes.end(),
+                   [](const auto& a, const auto& b) { return a.score < b.score; });
+  return sample;
+}
+
+std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,
+                                                int plan_length, int retries) {
+  return {{"samples", static_cast<double>(search.samples)},
+          {"c", search.c},
+          {"c_done", search.c_done},
+          {"v_failed", search.v_failed},
+          {"p_min", search.p_min},
+          {"plan_length", plan_length},
+          {"retries", retries}};
+}
+
+model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
+                                   const model::Promise& promise, const std::string& command,
+                                   std::vector<std::string>* words) {
+  const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
+  *words = promised.words;
+  model::Calibration calibration;
+  calibration.refusal_threshold = promised.may_attempt ? promised.value : 1;
+  calibration.alpha = promise.refuse_at_most;
+  calibration.epsilon = promise.fail_at_most;
+  calibration.delta = promise.delta;
+  calibration.scenes = static_cast<int>(
+      std::count_if(sample.scenes.begin(), sample.scenes.end(),
+                    [](const auto& scene) { return scene.scene_class == SceneClass::kSolvable; }));
+  calibration.command = command;
+  calibration.sample = sample;
+  return calibration;
+}
+
+double PromisedThresholdOf(const std::string& weights, const model::Promise& promise) {
+  const model::CalibrationSample sample = model::CalibrationOf(weights).sample;
+  if (sample.empty()) {
+    throw PromiseError(weights +
+                       ": carries no calibration sample to choose a threshold by: make one with "
+                       "./prospect evaluate --calibrate");
+  }
+  const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
+  Tell(promised.words);
+  if (!promised.kept) std::cout << model::CurveTable(sample);
+  if (!promised.may_attempt)
+    throw PromiseError("nothing may be attempted: " + promised.words.back());
+  return promised.value;
 }
 
 }  // namespace prospect::tools

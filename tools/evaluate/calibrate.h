@@ -1,15 +1,43 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "model/calibration.h"
+#include "model/refusal/promise.h"
+#include "planner/search_parameters.h"
 #include "tools/evaluate/report.h"
 
 namespace prospect::tools {
 
-// The refusal threshold by class-conditional split conformal prediction: of the scores that plans
-// of solvable calibration scenes got, the k-th smallest with k = floor(alpha (n + 1)). A new
-// solvable scene, drawn like these, then scores below it with probability at most alpha. Returns 0
-// (refuse nothing) when k is 0. `solvable` is set to n.
-double ConformalThreshold(const std::vector<SceneRecord>& scenes, double alpha, int* solvable);
+// --alpha (--refuse-at-most), --epsilon (--fail-at-most), --delta.
+void AddPromiseOptions(CLI::App* app, model::Promise* promise);
+
+// How the planner's row fared, as a calibration keeps it; scenes solved at the start are left out.
+// The records were made with nothing refused. Throws std::invalid_argument where one lacks the
+// planner's score, class or ending.
+model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes);
+
+// What a search must share with the calibration to be covered by it, by name.
+std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,
+                                                int plan_length, int retries);
+
+// The calibration of such records for a promise. Its threshold is what the promise leads to;
+// where nothing may be attempted by it, 1. `words` gets what is to be told.
+model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
+                                   const model::Promise& promise, const std::string& command,
+                                   std::vector<std::string>* words);
+
+// No threshold of these weights keeps what was asked for, or they carry no calibration sample.
+class PromiseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// The threshold that the sample stored with the weights gives for `promise`; tells why on standard
+// output, with the curve where not all of it can be kept. Throws PromiseError, model::WeightsError.
+double PromisedThresholdOf(const std::string& weights, const model::Promise& promise);
 
 }  // namespace prospect::tools

@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
 
 #include "model/calibration.h"
 #include "model/engine.h"
@@ -34,6 +35,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kMostCalibrationScenes = 10000;  // CALIBRATION is one datagram
+
 struct Options {
   std::string task = "navigation";
   std::string weights;
@@ -49,7 +52,7 @@ struct Options {
   planner::SearchParameters search;
   double threshold = -1;
   bool calibrate = false;
-  double alpha = 0.05;
+  model::Promise promise;
   int jobs = 2;
   std::vector<std::string> rows = {"planner", "nothing",    "random",
                                    "greedy",  "exhaustive", "simulator_model"};
@@ -108,10 +111,7 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_flag("--calibrate", o->calibrate,
                 "Find the refusal threshold on calibration scenes (from 1500000) and store it in "
                 "the weights");
-  app->add_option("--alpha", o->alpha,
-                  "With --calibrate: share of solvable scenes that may be refused")
-      ->check(CLI::Range(0.0, 0.5))
-      ->capture_default_str();
+  AddPromiseOptions(app, &o->promise);
   AddShiftOptions(app, &o->shift);
   app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
@@ -269,10 +269,15 @@ void CheckInputs(const Options& options) {
 void PrepareCalibration(Options* options) {
   if (!options->goal.empty())
     throw std::invalid_argument("--calibrate is for the task's own goal: leave --goal out");
+  if (options->wanted.solvable + options->wanted.hopeless > 0)
+    throw std::invalid_argument("--calibrate wants scenes as they come: --scenes, not --solvable");
   options->rows = {"planner"};
   options->threshold = 0;
   options->shift = {};
   options->shift.novelty = 0;
+  if (!options->promise.asked()) options->promise.refuse_at_most = 0.05;
+  if (options->scenes > kMostCalibrationScenes)
+    throw std::invalid_argument("a calibration keeps at most 10000 scenes");
   if (options->seed == 2'000'000) options->seed = 1'500'000;
   if (options->seed < 1'500'000 || options->seed + options->scenes > 2'000'000) {
     throw std::invalid_argument(
@@ -280,17 +285,39 @@ void PrepareCalibration(Options* options) {
   }
 }
 
+std::string CalibrationCommand(const Options& options) {
+  std::ostringstream text;
+  text << "./prospect evaluate --task " << options.task << " --calibrate --scenes "
+       << options.scenes << " --seed " << options.seed << " --samples " << options.search.samples
+       << " --v-failed " << options.search.v_failed;
+  if (options.promise.refuse_at_most) text << " --alpha " << *options.promise.refuse_at_most;
+  if (options.promise.fail_at_most)
+    text << " --epsilon " << *options.promise.fail_at_most << " --delta " << options.promise.delta;
+  return text.str();
+}
+
 void Calibrate(const Options& options, const std::vector<SceneRecord>& scenes) {
-  model::Calibration calibration;
-  calibration.alpha = options.alpha;
-  calibration.refusal_threshold = ConformalThreshold(scenes, options.alpha, &calibration.scenes);
-  calibration.command = "prospect-evaluate --calibrate --scenes " + std::to_string(options.scenes) +
-                        " --seed " + std::to_string(options.seed) + " --samples " +
-                        std::to_string(options.search.samples) + " --alpha " +
-                        std::to_string(options.alpha);
+  model::CalibrationSample sample = SampleFrom(scenes);
+  const int plan_length = sim::MakeTask(options.task, options.world)->spec().plan_length;
+  sample.rule = options.search.rule;
+  sample.parameters = CoveredParameters(options.search, plan_length, options.retries);
+  std::vector<std::string> words;
+  const model::Calibration calibration =
+      CalibrationFrom(sample, options.promise, CalibrationCommand(options), &words);
   model::StoreCalibration(options.weights, calibration);
-  std::cout << "refusal threshold " << calibration.refusal_threshold << " from "
-            << calibration.scenes << " solvable scenes, stored in " << options.weights << "\n";
+  for (const std::string& sentence : words) std::cout << sentence << "\n";
+  std::cout << model::CurveTable(sample) << "refusal threshold " << calibration.refusal_threshold
+            << " from " << calibration.scenes << " solvable scenes, stored in " << options.weights
+            << " with all " << sample.scenes.size() << " scenes\n";
+}
+
+// A promise without --calibrate: by what is stored with the weights.
+void ChoosePromisedThreshold(Options* options) {
+  if (options->calibrate || !options->promise.asked()) return;
+  if (options->threshold >= 0)
+    throw std::invalid_argument("--threshold is given: leave --alpha and --epsilon out");
+  options->threshold = PromisedThresholdOf(options->weights, options->promise);
+  std::cout << "refusal threshold " << options->threshold << "\n";
 }
 
 // The scenes to run: so many in a row, or the first of each class.
@@ -324,6 +351,7 @@ int Main(int argc, char** argv) {
   if (options.rows.empty() || options.rows.front() != "planner")
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
+  ChoosePromisedThreshold(&options);
   const std::vector<SceneRecord> scenes =
       RunScenes(SeedsOf(options), options.jobs, [&]() -> SceneRun {
         auto bench = std::make_shared<Bench>(options);
@@ -344,6 +372,7 @@ int Main(int argc, char** argv) {
   summary["strength"] = options.shift.strength;
   summary["open_loop"] = options.shift.open_loop;
   summary["novelty"] = options.shift.novelty;
+  summary["threshold"] = options.threshold;
   summary["records"] = scenes;
   try {
     WriteJsonFile(options.json_file, summary, 1);
@@ -365,6 +394,9 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const prospect::planner::GoalError& error) {
     std::cerr << "prospect-evaluate: the goal cannot be brought about: " << error.what() << "\n";
+    return 3;
+  } catch (const prospect::tools::PromiseError& error) {
+    std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 3;
   } catch (const std::exception& error) {
     std::cerr << "prospect-evaluate: " << error.what() << "\n";

@@ -220,6 +220,23 @@ TEST(Validate, ModelAndPictures) {
       info, {{"num_actions: out of range", [](auto& m) { m.num_actions = 0; }},
              {"refusal_threshold: out of 0..1", [](auto& m) { m.refusal_threshold = kNan; }},
              {"queue: negative", [](auto& m) { m.queue = -1; }}});
+  calibration_t calibration{};
+  calibration.parameter_names = {"samples"};
+  calibration.parameter_values = {30};
+  calibration.scores = {0.25F, 0.5F};
+  calibration.classes = {calibration_t::CLASS_SOLVABLE, calibration_t::CLASS_DOUBTFUL};
+  calibration.endings = {calibration_t::ENDING_SOLVED, calibration_t::ENDING_REFUSED};
+  SetCounts(calibration);
+  ExpectFaults<calibration_t>(
+      calibration,
+      {{"parameter_values: not finite", [](auto& m) { m.parameter_values[0] = INFINITY; }},
+       {"scores: not ascending within 0..1", [](auto& m) { m.scores[0] = 0.75F; }},
+       {"scores: not ascending within 0..1", [](auto& m) { m.scores[1] = 1.5F; }},
+       {"scores: not ascending within 0..1", [](auto& m) { m.scores[0] = -0.5F; }},
+       {"scores: not ascending within 0..1",
+        [](auto& m) { m.scores[1] = std::numeric_limits<float>::quiet_NaN(); }},
+       {"classes: unknown", [](auto& m) { m.classes[0] = 4; }},
+       {"endings: unknown", [](auto& m) { m.endings[1] = 0; }}});
   // No picture wanted is sound; half a picture is not.
   ExpectFaults<predict_reply_t>(predict_reply_t{},
                                 {{"data: wrong picture size", [](auto& m) { m.width = 64; }},

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/evaluate/calibrate.h"
-
 namespace prospect::tools {
 namespace {
 
@@ -54,27 +52,6 @@ TEST(Table, SaysWhatTheSummarySays) {
   const std::string table = Table(s, {"planner", "random"});
   EXPECT_NE(table.find("1 scenes: 1 solvable"), std::string::npos);
   EXPECT_NE(table.find("random, solvable: solved"), std::string::npos);
-}
-
-SceneRecord Scored(const std::string& scene_class, double score) {
-  SceneRecord scene = Scene(scene_class, "solved", "failed", 1.0);
-  scene["rows"]["planner"]["score"] = score;
-  return scene;
-}
-
-TEST(ConformalThreshold, IsTheRightOrderStatisticOfSolvableScenes) {
-  std::vector<SceneRecord> scenes;
-  for (int i = 0; i < 39; ++i) scenes.push_back(Scored("solvable", (39 - i) / 100.0));
-  for (int i = 0; i < 50; ++i) scenes.push_back(Scored("hopeless", 0.0));
-  int solvable = 0;
-  EXPECT_DOUBLE_EQ(ConformalThreshold(scenes, 0.05, &solvable), 0.02);  // k = 0.05 * 40 = 2
-  EXPECT_EQ(solvable, 39);
-}
-
-TEST(ConformalThreshold, RefusesNothingWithTooFewScenes) {
-  int solvable = 0;
-  EXPECT_EQ(ConformalThreshold({Scored("solvable", 0.9)}, 0.05, &solvable), 0.0);
-  EXPECT_EQ(solvable, 1);
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+// The calibration in a weights file: what is stored comes back, belongs to its tensors, and leaves
+// the rest of the file alone.
+#include "model/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "model/weights.h"
+#include "tests/unit/model/refusal_sample.h"
+#include "tests/unit/model/test_folder.h"
+
+namespace prospect::model {
+namespace {
+
+using nlohmann::json;
+
+class CalibrationFile : public ::testing::Test {
+ protected:
+  CalibrationFile() : path_(folder_ / "w.safetensors") {
+    tensors_["a.weight"] = torch::arange(6, torch::kFloat).view({2, 3});
+    Write(json::object());
+  }
+  void Write(const json& calibration) const {
+    WriteWeights(path_, tensors_,
+                 {{"task", "made"}, {"novelty", {1, 2}}, {"calibration", calibration}});
+  }
+  static Calibration Made() {
+    Calibration made;
+    made.refusal_threshold = 0.25;
+    made.alpha = 0.05;
+    made.epsilon = 0.1;
+    made.delta = 0.2;
+    made.scenes = 3;
+    made.command = "made by hand";
+    made.sample = SampleOf({Scene(0, 'h', 'R'), Scene(0.25, 's', 'T'), Scene(0.5, 'd', 'F'),
+                            Scene(0.123456, 's', 'S')});
+    made.sample.rule = "paper";
+    made.sample.parameters = {{"samples", 30}, {"v_failed", 0.02}};
+    return made;
+  }
+  void ExpectRefused(const std::string& reason) const {
+    try {
+      CalibrationOf(path_);
+      FAIL() << "expected a refusal: " << reason;
+    } catch (const WeightsError& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+
+  TestFolder folder_;
+  std::string path_;
+  std::map<std::string, torch::Tensor> tensors_;
+};
+
+TEST_F(CalibrationFile, ComesBackAsItWasStored) {
+  StoreCalibration(path_, Made());
+  const Calibration back = CalibrationOf(path_), made = Made();
+  EXPECT_EQ(back.refusal_threshold, made.refusal_threshold);
+  EXPECT_EQ(back.alpha, made.alpha);
+  EXPECT_EQ(back.epsilon, made.epsilon);
+  EXPECT_EQ(back.delta, made.delta);
+  EXPECT_EQ(back.scenes, made.scenes);
+  EXPECT_EQ(back.command, made.command);
+  EXPECT_EQ(back.sample.rule, made.sample.rule);
+  EXPECT_EQ(back.sample.parameters, made.sample.parameters);
+  ASSERT_EQ(back.sample.scenes.size(), made.sample.scenes.size());
+  for (std::size_t i = 0; i < made.sample.scenes.size(); ++i) {
+    EXPECT_EQ(back.sample.scenes[i].score, made.sample.scenes[i].score);
+    EXPECT_EQ(back.sample.scenes[i].scene_class, made.sample.scenes[i].scene_class);
+    EXPECT_EQ(back.sample.scenes[i].ending, made.sample.scenes[i].ending);
+  }
+}
+
+TEST_F(CalibrationFile, LeavesTensorsAndOtherMetadataAlone) {
+  const WeightsFile before = ReadWeights(path_);
+  StoreCalibration(path_, Made());
+  const WeightsFile after = ReadWeights(path_);
+  EXPECT_EQ(TensorsHash(before), TensorsHash(after));
+  EXPECT_NE(before.hash, after.hash);
+  EXPECT_EQ(after.metadata["novelty"], json({1, 2}));
+  EXPECT_TRUE(after.tensors.at("a.weight").equal(before.tensors.at("a.weight")));
+}
+
+TEST_F(CalibrationFile, OfOtherTensorsIsRefused) {
+  StoreCalibration(path_, Made());
+  const json calibration = ReadWeights(path_).metadata["calibration"];
+  Write(calibration);
+  EXPECT_EQ(CalibrationOf(path_).sample.scenes.size(), 4u);
+  tensors_["a.weight"][1][2] += 1;
+  Write(calibration);
+  ExpectRefused("was made for other weights");
+  tensors_["a.weight"][1][2] -= 1;
+  tensors_["b.weight"] = torch::zeros({1});
+  Write(calibration);
+  ExpectRefused("was made for other weights");
+}
+
+TEST_F(CalibrationFile, OldFilesHaveAThresholdAndNoSample) {
+  Write({{"refusal_threshold", 0.31}, {"alpha", 0.05}, {"scenes", 70}, {"command", "old"}});
+  const Calibration old = CalibrationOf(path_);
+  EXPECT_EQ(old.refusal_threshold, 0.31);
+  EXPECT_EQ(old.alpha, 0.05);
+  EXPECT_FALSE(old.epsilon);
+  EXPECT_TRUE(old.sample.empty());
+  WriteWeights(path_, tensors_, {{"task", "made"}});
+  EXPECT_EQ(CalibrationOf(path_).refusal_threshold, 0);
+}
+
+TEST_F(CalibrationFile, DamageIsNamed) {
+  StoreCalibration(path_, Made());
+  const json good = ReadWeights(path_).metadata["calibration"];
+  json bad = good;
+  bad["sample"]["classes"] = "hs";
+  Write(bad);
+  ExpectRefused("its calibration is damaged");
+  bad = good;
+  bad["sample"]["endings"] = "RTF?";
+  Write(bad);
+  ExpectRefused("its calibration is damaged");
+  bad = good;
+  bad["sample"]["scores"][0] = 1.5;
+  Write(bad);
+  ExpectRefused("its calibration is damaged");
+  bad = good;
+  bad["refusal_threshold"] = "much";
+  Write(bad);
+  ExpectRefused("its calibration is damaged");
+}
+
+}  // namespace
+}  // namespace prospect::model

@@ -1,0 +1,112 @@
+// prospect-evaluate-refusals: whether the promises about refusals hold, from scenes that were
+// evaluated before: a threshold from a random half of them, tried on the other half, many times.
+// Needs no simulation: the sample comes with the weights, or from a report of prospect-evaluate.
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "model/calibration.h"
+#include "model/dataset.h"
+#include "model/weights.h"
+#include "tools/common/guarded.h"
+#include "tools/common/json_file.h"
+#include "tools/evaluate/calibrate.h"
+#include "tools/refusals/plot.h"
+#include "tools/refusals/report.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::vector<std::string> weights, reports;
+  std::string json_file, plot_file;
+  RefusalOptions measure;
+};
+
+void AddOptions(CLI::App* app, Options* o) {
+  const auto share = CLI::Range(0.0001, 0.9999);
+  CLI::Option* weights = app->add_option(
+      "--weights", o->weights, "Weights files whose calibration samples are taken, one or more");
+  app->add_option(
+         "--report", o->reports,
+         "Reports of prospect-evaluate --threshold 0 --json on calibration scenes, instead")
+      ->excludes(weights);
+  app->add_option("--splits", o->measure.splits, "Random halves")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app->add_option("--seed", o->measure.seed, "Of the first split; the others count on")
+      ->capture_default_str();
+  app->add_option("--alpha,--refuse-at-most", o->measure.alpha,
+                  "Share of solvable scenes that may be refused")
+      ->check(share)
+      ->capture_default_str();
+  app->add_option("--epsilon,--fail-at-most", o->measure.epsilon,
+                  "Share of attempted scenes that may fail")
+      ->check(share)
+      ->capture_default_str();
+  app->add_option("--delta", o->measure.delta,
+                  "--epsilon holds with probability 1 - delta over calibration samples")
+      ->check(share)
+      ->capture_default_str();
+  app->add_option("--json", o->json_file, "Also write the figures and curves here");
+  app->add_option("--plot", o->plot_file, "Also draw risk against coverage into this PNG");
+}
+
+struct Named {
+  std::string task;
+  model::CalibrationSample sample;
+};
+
+Named FromWeights(const std::string& path) {
+  const model::WeightsFile file = model::ReadWeights(path);
+  Named named{file.metadata.value("task", path), model::CalibrationOf(file, path).sample};
+  if (!named.sample.empty()) return named;
+  throw model::WeightsError(path +
+                            ": carries no calibration sample: ./prospect evaluate --calibrate "
+                            "makes one");
+}
+
+Named FromReport(const std::string& path) try {
+  std::ifstream in(path);
+  const json report = json::parse(in);
+  if (report.value("threshold", 0.0) != 0)
+    throw model::DataError(path + ": plans were refused there; evaluate with --threshold 0");
+  return {report.at("task"), SampleFrom(report.at("records").get<std::vector<SceneRecord>>())};
+} catch (const json::exception& error) {
+  throw model::DataError(path + ": is no report of prospect-evaluate (" + error.what() + ")");
+}
+
+int Main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Whether the promises about refusals hold over random calibration splits");
+  AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+    if (options.weights.empty() && options.reports.empty())
+      throw CLI::RequiredError("--weights or --report");
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kExitUsage;
+  }
+  std::vector<Named> samples;
+  for (const std::string& path : options.weights) samples.push_back(FromWeights(path));
+  for (const std::string& path : options.reports) samples.push_back(FromReport(path));
+  std::vector<json> figures;
+  for (const Named& named : samples) {
+    figures.push_back(MeasureRefusals(named.sample, named.task, options.measure));
+    std::cout << RefusalTable(figures.back()) << model::CurveTable(named.sample);
+  }
+  if (!options.plot_file.empty()) PlotRefusals(options.plot_file, figures);
+  if (!options.json_file.empty()) WriteJsonFile(options.json_file, figures, 1);
+  return 0;
+}
+
+}  // namespace
+}  // namespace prospect::tools
+
+int main(int argc, char** argv) {
+  return prospect::tools::Guarded("prospect-evaluate-refusals",
+                                  [&] { return prospect::tools::Main(argc, argv); });
+}
