@@ -1,5 +1,7 @@
 #include "services/model/engine_choice.h"
 
+#include <spdlog/spdlog.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -57,6 +59,11 @@ EnginePtr Recorded(EnginePtr engine, const std::string& file) {
   }
 }
 
+bool HoldsNetworks(const Named& named) {
+  return named.name != "scripted" && named.name != ScriptedTreeEngine::kTask &&
+         named.name != "replay";
+}
+
 }  // namespace
 
 model::BatchCost ParseCost(const std::string& text) {
@@ -70,6 +77,18 @@ model::BatchCost ParseCost(const std::string& text) {
     // Told below, like a number out of range.
   }
   throw ExitError(kExitUsage, "--fixed-cost " + text + ": say A,B for A ms a batch + B ms a row");
+}
+
+std::optional<model::NoveltyGauge> LoadNovelty(const EngineChoice& choice) {
+  std::optional<model::NoveltyGauge> gauge;
+  try {
+    if (HoldsNetworks(Split(choice.weights))) gauge = model::NoveltyGauge::Load(choice.weights);
+  } catch (const std::exception& error) {
+    throw ExitError(kExitWeights, error.what());
+  }
+  if (!gauge)
+    spdlog::info("{} holds nothing of known pictures: none is unlike them", choice.weights);
+  return gauge;
 }
 
 std::unique_ptr<model::Engine> MakeEngine(const EngineChoice& choice) {

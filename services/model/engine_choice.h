@@ -6,6 +6,7 @@
 
 #include "model/engine.h"
 #include "model/fixed_cost_engine.h"
+#include "model/novelty.h"
 
 namespace prospect::services {
 
@@ -25,6 +26,10 @@ struct EngineChoice {
 
 /// @throws ExitError (kExitUsage, kExitWeights) saying what is wrong with the choice
 std::unique_ptr<model::Engine> MakeEngine(const EngineChoice& choice);
+
+/// What these weights hold of known pictures; none, and a line in the log, where they hold nothing
+/// or there are no networks. @throws ExitError (kExitWeights)
+std::optional<model::NoveltyGauge> LoadNovelty(const EngineChoice& choice);
 
 /// "A,B" as a cost. @throws ExitError (kExitUsage)
 model::BatchCost ParseCost(const std::string& text);

@@ -76,6 +76,7 @@ int Run(int argc, char** argv) {
                 info.task.c_str(), info.num_actions, info.image_width, info.image_height);
     return kExitSuccess;
   }
+  options.server.novelty = LoadNovelty(options.engine);
   Bus bus(options.common.bus);
   HealthMonitor monitor(bus);
   ModelServer server(bus, *engine, options.server);

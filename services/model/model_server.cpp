@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "services/binding/evaluation_messages.h"
+#include "services/binding/novelty_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"
 
@@ -270,6 +271,17 @@ void ModelServer::OnPredict(const predict_request_t& request) {
   if (!waits && predictions_.size() < kMostPredictions) predictions_.push_back(request);
 }
 
+// What the networks make of the picture itself, and how unlike the known ones it is: whoever asks
+// has seen it.
+void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
+                          predict_reply_t* reply) {
+  const auto& info = engine_.info();
+  reply->data = engine_.Decode({state}).at(0);
+  if (!options_.novelty) return;
+  reply->reason = NoveltyText(options_.novelty->Judge(model::CompareRedrawn(
+      active.present_picture.data(), reply->data, info.image_width, info.image_height, state)));
+}
+
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
   predict_reply_t reply{};
   reply.server_id = health_.instance_id();
@@ -286,10 +298,15 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
   } else {
     reply.status = expand_reply_t::STATUS_OK;
     const model::Hidden state = active->memory->State(request.path.actions);
-    if (request.want_image) {
+    if (request.path.actions.empty()) {
+      AddRoot(*active, state, &reply);
+      if (!request.want_image) reply.data.clear();
+    } else if (request.want_image) {
       reply.data =
           engine_.DecodeOnto(active->present_picture.data(), active->memory->State({}), {state})
               .at(0);
+    }
+    if (!reply.data.empty()) {
       reply.width = engine_.info().image_width;
       reply.height = engine_.info().image_height;
     }

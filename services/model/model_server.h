@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/engine.h"
+#include "model/novelty.h"
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/health.h"
@@ -26,6 +27,8 @@ struct ModelServerOptions {
   int batch = 16;                      ///< most rows a batch
   std::size_t cache_bytes = 64 << 20;  ///< hidden states of one search
   std::size_t queue_paths = 4096;      ///< paths that may wait before BUSY
+  /// With what a search's picture is compared; none: nothing is said of it.
+  std::optional<model::NoveltyGauge> novelty = {};
 };
 
 /// A model server: encodes the pictures of searches, imagines the paths that workers ask for, and
@@ -81,6 +84,7 @@ class ModelServer {
   expand_reply_t ReplyHead(const search_root_t& root) const;
   void RunPrediction();
   predict_reply_t Predict(const predict_request_t& request, Active* active);
+  void AddRoot(const Active& active, const model::Hidden& state, predict_reply_t* reply);
   void PublishInfo();
   void PublishInfo(const Active* active);
   int RetryMs() const;

@@ -11,6 +11,23 @@ namespace {
 
 using namespace prospect::services;
 
+// How pictures are to differ from those of trials (sim/shift.h).
+struct ShiftChoice {
+  std::string factor;
+  int strength = 0;  // 0: not at all
+};
+
+void AddShiftOptions(CLI::App& app, ShiftChoice& shift) {
+  CLI::Option* factor =
+      app.add_option("--factor", shift.factor,
+                     "shift what the camera shows away from what trials show; see --strength")
+          ->check(CLI::IsMember(prospect::sim::ShiftFactors()));
+  CLI::Option* strength = app.add_option("--strength", shift.strength, "how far, 1 to 5")
+                              ->check(CLI::Range(1, prospect::sim::kShiftStrengths));
+  factor->needs(strength);
+  strength->needs(factor);
+}
+
 void AddOptions(CLI::App& app, SimulatorOptions& options) {
   app.add_option("--task", options.task, "world to simulate")
       ->envname("PROSPECT_TASK")
@@ -45,12 +62,15 @@ int Run(int argc, char** argv) {
   AddCommonOptions(app, common);
   AddInstanceFileOption(app, common);
   AddOptions(app, options);
+  ShiftChoice shift;
+  AddShiftOptions(app, shift);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
   ApplyCommonOptions(common, "simulator");
+  if (shift.strength > 0) prospect::sim::SetShift(shift.factor, shift.strength, &options.scene);
 
   Bus bus(common.bus);
   try {

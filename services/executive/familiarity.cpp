@@ -1,0 +1,104 @@
+#include "services/executive/familiarity.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "services/binding/evaluation_messages.h"
+#include "services/binding/novelty_messages.h"
+
+namespace prospect::services {
+namespace {
+
+constexpr std::int64_t kTimeoutMs = 3000;
+constexpr std::int64_t kRepeatMs = 100;
+// Above all request ids of pictures, which are counted from 1.
+constexpr std::int64_t kFirstId = std::int64_t{1} << 40;
+constexpr double kWhite = 0.2;  // share of full range that is drawn white
+
+// The light of `seen` over that of `redrawn`, by least squares.
+double GainOf(const Picture& seen, const Picture& redrawn) {
+  double both = 0, own = 0;
+  for (std::size_t i = 0; i < redrawn.rgb.size(); ++i) {
+    both += static_cast<double>(seen.rgb[i]) * redrawn.rgb[i];
+    own += static_cast<double>(redrawn.rgb[i]) * redrawn.rgb[i];
+  }
+  return own > 0 ? both / own : 1;
+}
+
+}  // namespace
+
+std::string FamiliaritySentence(const Familiarity& familiarity) {
+  if (familiarity.foreign())
+    return "It is unlike what the networks were trained on: " +
+           model::InWords(familiarity.novelty) + ".";
+  char text[64];
+  std::snprintf(text, sizeof text, "The picture is like known ones (p %.2g).",
+                familiarity.novelty.p);
+  return text;
+}
+
+Picture DifferenceMap(const Picture& seen, const Picture& redrawn) {
+  if (seen.empty() || seen.width != redrawn.width || seen.height != redrawn.height ||
+      seen.rgb.size() != redrawn.rgb.size())
+    return {};
+  const double gain = std::max(1e-3, GainOf(seen, redrawn));
+  Picture map{seen.width, seen.height, {}};
+  for (std::size_t i = 0; i + 2 < seen.rgb.size(); i += 3) {
+    double sum = 0;
+    for (std::size_t k = i; k < i + 3; ++k) sum += std::abs(seen.rgb[k] / gain - redrawn.rgb[k]);
+    const double share = std::min(1.0, sum / 3 / 255 / kWhite);
+    map.rgb.insert(map.rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
+  }
+  return map;
+}
+
+FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {
+  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+}
+
+void FamiliarityInbox::OnReply(const predict_reply_t& reply) {
+  if (awaited_ == 0 || reply.client_id != talk_.id() || reply.request_id != awaited_) return;
+  if (reply.status == expand_reply_t::STATUS_BUSY) return;
+  reply_ = reply;
+}
+
+std::optional<Familiarity> FamiliarityInbox::Ask(const search_root_t& root, const Picture& seen,
+                                                 double level) {
+  reply_.reset();
+  awaited_ = awaited_ == 0 ? kFirstId : awaited_ + 1;
+  std::int32_t attempt = 0;
+  const auto ask = [&] {
+    predict_request_t request{};
+    request.client_id = talk_.id();
+    request.request_id = awaited_;
+    request.attempt = attempt;
+    request.server_id = talk_.view().servers().Choose({}, attempt++, root.weights_hash, SteadyMs());
+    request.search_id = root.search_id;
+    request.epoch = root.epoch;
+    request.path = ToMessage(planner::Path{});
+    request.want_image = 1;
+    talk_.Say(request);
+  };
+  if (!talk_.Until([this] { return reply_.has_value(); }, kTimeoutMs, ask, kRepeatMs)) {
+    spdlog::warn("no server said whether the picture is like known ones");
+    return std::nullopt;
+  }
+  const auto novelty = NoveltyFrom(reply_->reason);
+  if (reply_->status != expand_reply_t::STATUS_OK || !novelty) {
+    spdlog::info(
+        "nothing is refused for its picture: {}",
+        reply_->reason.empty() ? "the weights hold nothing of known ones" : reply_->reason);
+    return std::nullopt;
+  }
+  Familiarity familiarity;
+  familiarity.novelty = *novelty;
+  familiarity.level = level;
+  familiarity.seen = seen;
+  if (reply_->width > 0) familiarity.redrawn = {reply_->width, reply_->height, reply_->data};
+  return familiarity;
+}
+
+}  // namespace prospect::services
