@@ -1,5 +1,6 @@
 #include "services/executive/bus_view.h"
 
+#include "services/binding/calibration_messages.h"
 #include "services/common/clock.h"
 
 namespace prospect::services {
@@ -27,6 +28,9 @@ BusView::BusView(Bus& bus) : bus_(bus) {
   });
   bus.Subscribe<model_info_t>(
       [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
+  bus.Subscribe<calibration_t>([this](const calibration_t& calibration) {
+    calibrations_[calibration.weights_hash] = SampleFrom(calibration);
+  });
   bus.Subscribe<observation_t>(
       [this](const observation_t& observation) { OnObservation(observation); });
   bus.Subscribe<action_status_t>([this](const action_status_t& status) {
@@ -39,6 +43,11 @@ BusView::BusView(Bus& bus) : bus_(bus) {
     world_heard_ms_ = SteadyMs();
     if (label.episode_id == episode_id_) label_ = label;
   });
+}
+
+const model::CalibrationSample* BusView::calibration(std::int64_t weights_hash) const {
+  const auto found = calibrations_.find(weights_hash);
+  return found == calibrations_.end() ? nullptr : &found->second;
 }
 
 void BusView::Follow(std::int64_t episode_id) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/refusal/sample.h"
 #include "services/binding/server_list.h"
 #include "services/common/bus.h"
 #include "services/executive/picture.h"
@@ -37,6 +38,8 @@ class BusView {
   std::int64_t world_heard_ms() const { return world_heard_ms_; }
   const std::optional<label_t>& label() const { return label_; }
   const ServerList& servers() const { return servers_; }
+  /// The calibration that came with these weights; null when none was heard.
+  const model::CalibrationSample* calibration(std::int64_t weights_hash) const;
   /// Every picture of the episode heard so far, by frame number.
   const std::map<std::int64_t, Picture>& frames() const { return frames_; }
   /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says
@@ -49,6 +52,7 @@ class BusView {
   Bus& bus_;
 
   ServerList servers_;
+  std::map<std::int64_t, model::CalibrationSample> calibrations_;  // by weights hash
   std::optional<task_t> task_;
   std::int64_t episode_id_ = -1;
   std::optional<observation_t> latest_;

@@ -108,6 +108,10 @@ EpisodeRecord Episode::Run() {
   if (!defect.empty()) {
     Verdict("refused", "the goal cannot be brought about: " + defect);
     ExplainUnsearched(record_.reason);
+  } else if (!promised_.may_attempt) {
+    AddConfidence(0);
+    Verdict("refused", promised_.words.back());
+    ExplainUnsearched(record_.reason);
   } else if (options_.policy == "search") {
     RunSearchPolicy();
   } else if (options_.policy == "collect" || options_.policy == "expert") {
@@ -142,6 +146,7 @@ void Episode::Prepare() {
   first_ = latest_ = Look(talk_, 0);
   AddSeconds("look", since);
   if (options_.policy == "search") model_ = ChooseModel(talk_, options_);
+  if (options_.policy == "search" && options_.promise.asked()) ChooseThreshold();
 
   const task_t& task = *talk_.view().task();
   record_.task = task.name;
@@ -154,6 +159,13 @@ void Episode::Prepare() {
   if (!talk_.view().label()) return;
   const auto& present = talk_.view().label()->present;
   record_.objects = static_cast<int>(std::count(present.begin(), present.end(), 1));
+}
+
+// What was promised for, by what is known of these weights.
+void Episode::ChooseThreshold() {
+  promised_ = model::ThresholdFor(AwaitCalibration(talk_, model_), options_.promise);
+  options_.refusal_threshold = promised_.value;
+  for (const std::string& sentence : promised_.words) spdlog::info("{}", sentence);
 }
 
 SearchQuestion Episode::MakeQuestion() const {
@@ -277,8 +289,26 @@ void Episode::ExplainUnsearched(const std::string& reason) {
   if (!ToBeExplained()) return;
   Explanation explanation;
   explanation.reason = reason;
+  explanation.confidence = record_.confidence;
   NameScene(&explanation);
   record_.explanation = std::move(explanation);
+}
+
+// Calibration scenes were judged by their first search, so only that one is compared with them.
+void Episode::AddConfidence(double score) {
+  const model::CalibrationSample* sample = talk_.view().calibration(model_.weights_hash);
+  if (sample == nullptr) return;
+  const planner::SearchParameters& search = options_.search;
+  const std::map<std::string, double> parameters = {
+      {"samples", static_cast<double>(search.samples)},
+      {"c", search.c},
+      {"c_done", search.c_done},
+      {"v_failed", search.v_failed},
+      {"p_min", search.p_min},
+      {"plan_length", talk_.view().task()->plan_length}};
+  record_.confidence = ConfidenceOf(*sample, score, search.rule, parameters, !record_.goal.empty());
+  record_.confidence->promises = promised_.words;
+  if (!promised_.kept) record_.confidence->table = model::CurveTable(*sample);
 }
 
 void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& record) {
@@ -287,6 +317,7 @@ void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& rec
   for (const auto& action : talk_.view().task()->actions) context.names.push_back(action.name);
   Explanation explanation = Explain(answer.plan, context);
   NameScene(&explanation);
+  explanation.confidence = record_.confidence;
   explanation.ended_by = record.ended_by;
   explanation.rollouts = record.rollouts;
   explanation.evaluations = record.evaluations;
@@ -323,6 +354,7 @@ SearchRecord Episode::SearchOnce() {
   record.converged = answer.converged;
   record.table = HexText(static_cast<std::int64_t>(answer.table));
   record.seconds = answer.seconds;
+  if (record_.searches.empty()) AddConfidence(record.score);
   if (ToBeExplained()) AddExplanation(answer, record);
   AddImagined(answer.plan, &record);
   spdlog::info("search {}: {} rollouts, {} evaluations, {:.2f} s; {}", record_.searches.size() + 1,

@@ -49,6 +49,8 @@ class Episode {
   void AddExplanation(const SearchAnswer& answer, const SearchRecord& record);
   void ExplainUnsearched(const std::string& reason);
   void NameScene(Explanation* explanation) const;
+  void ChooseThreshold();
+  void AddConfidence(double score);
   void NameWhatIf();
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
   void PublishPlan(const SearchRecord& record);
@@ -67,6 +69,7 @@ class Episode {
   observation_t first_{};
   observation_t latest_{};
   model_info_t model_{};
+  model::PromisedThreshold promised_;  // of options_.promise
   std::vector<int> executed_;
   planner::Path what_if_;  // empty: nothing was asked
 };

@@ -85,6 +85,7 @@ struct EpisodeRecord {
   std::vector<SearchRecord> searches;  // one before each action, under policy "search"
   std::vector<ActRecord> acts;
   std::optional<Explanation> explanation;       // of the first search, where it was asked for
+  std::optional<Confidence> confidence;         // in the first search's plan
   std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"
   std::vector<Picture> frames;    // every picture of the episode that was heard, in order
   double frames_per_second = 10;  // of simulated time

@@ -579,8 +579,22 @@ std::string ScoreSentence(const Explanation& explanation) {
   return "Score " + Apart(score, threshold) + compared + ".";
 }
 
+std::vector<std::string> ConfidenceSentences(const Explanation& explanation) {
+  if (!explanation.confidence) return {};
+  const Confidence& confidence = *explanation.confidence;
+  std::vector<std::string> sentences;
+  const bool plan = !explanation.chosen.steps.empty();
+  if (plan && confidence.scenes > 0)
+    sentences.push_back(SuccessSentence(confidence, explanation.act));
+  sentences.insert(sentences.end(), confidence.promises.begin(), confidence.promises.end());
+  if (!confidence.caveat.empty()) sentences.push_back(confidence.caveat);
+  return sentences;
+}
+
 std::string ExplanationText(const Explanation& explanation, int most) {
   std::string text = Headline(explanation) + ". " + ScoreSentence(explanation) + '\n';
+  for (const std::string& sentence : ConfidenceSentences(explanation)) text += sentence + '\n';
+  if (explanation.confidence) text += explanation.confidence->table;
   if (!explanation.chosen.steps.empty()) {
     text += explanation.act ? "" : "The best that was imagined:\n";
     text += Table(explanation.chosen);

@@ -11,6 +11,7 @@
 #include "planner/plan.h"
 #include "planner/search_parameters.h"
 #include "planner/task_rules.h"
+#include "services/executive/confidence.h"
 #include "services/executive/picture.h"
 
 namespace prospect::services {
@@ -67,6 +68,7 @@ struct Explanation {
   std::vector<std::string> ruled_out;  // first actions that were never imagined, each with its p
   std::vector<std::string> untried;    // first actions of which no future was followed to its end
   std::optional<WhatIf> what_if;
+  std::optional<Confidence> confidence;  // none: the weights carry no calibration sample
 
   planner::SearchParameters parameters;  // with the refusal threshold
   std::string ended_by;                  // empty: refused before anything was searched
@@ -118,6 +120,10 @@ void SetPictures(const std::map<planner::Path, Picture>& pictures, Explanation* 
 /// "Act" or "Refuse", with the score and what it is compared with.
 std::string Headline(const Explanation& explanation);
 std::string ScoreSentence(const Explanation& explanation);
+
+/// What calibration scenes say of the score, what was promised, and what it does not cover; none
+/// without a calibration.
+std::vector<std::string> ConfidenceSentences(const Explanation& explanation);
 
 /// For a terminal: verdict, chosen plan, the best `most` alternatives and the plan a person named.
 std::string ExplanationText(const Explanation& explanation, int most = 3);

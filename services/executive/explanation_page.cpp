@@ -143,9 +143,11 @@ std::string Verdict(const Explanation& explanation) {
   }
   words += Paragraph(ScoreSentence(explanation), low ? "class=\"faint\"" : "");
   if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
+  for (const std::string& sentence : ConfidenceSentences(explanation)) words += Paragraph(sentence);
   words += Paragraph(
-      "The score is the confidence: V after the last step times f of every step. It is the "
-      "networks' own estimate and ranks plans; it is not a share counted on trials.",
+      std::string("The score is V after the last step times f of every step. It is the networks' "
+                  "own estimate and ranks plans; it is not a share counted on trials") +
+          (explanation.confidence ? ": that is what the calibration adds." : "."),
       "class=\"faint\"");
   std::string seen = Image(explanation.seen, "what the camera sees now");
   if (!seen.empty()) {
@@ -230,6 +232,23 @@ std::string Ending(const std::string& ended_by) {
   return ": then it ended (" + ended_by + ")";
 }
 
+// What other thresholds would lead to.
+std::string Refusing(const Explanation& explanation) {
+  if (!explanation.confidence) return "";
+  const double threshold = explanation.parameters.refusal_threshold;
+  const std::string chart = RiskChart(*explanation.confidence, threshold);
+  if (chart.empty()) return "";
+  return Heading("When to refuse") +
+         Paragraph("Plans were searched for and carried out in " +
+                       std::to_string(explanation.confidence->sample) +
+                       " calibration scenes. The stricter the threshold on the score, the fewer "
+                       "are attempted and the fewer of these fail; the point is the threshold at "
+                       "hand, " +
+                       Number("%.3f", threshold) + ".",
+                   "class=\"faint\"") +
+         chart;
+}
+
 std::string HowTheSearchWent(const Explanation& explanation) {
   const auto& limits = explanation.parameters;
   if (explanation.ended_by.empty()) return Heading("Nothing was searched");
@@ -292,7 +311,7 @@ std::string ExplanationPage(const Explanation& explanation) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
          Element("title", "", Escaped(title)) + "\n" + Element("style", "", kStyle) +
          "\n</head>\n<body>\n" + Verdict(explanation) + Chosen(explanation) + Named(explanation) +
-         Others(explanation) + HowTheSearchWent(explanation) + "</body>\n</html>\n";
+         Others(explanation) + Refusing(explanation) + HowTheSearchWent(explanation) + "</body>\n</html>\n";
 }
 
 }  // namespace prospect::services

@@ -53,6 +53,24 @@ void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
       ->needs(explain);
 }
 
+void AddPromiseOptions(CLI::App& app, prospect::model::Promise& promise) {
+  const auto share = CLI::Range(0.0001, 0.9999);
+  app.add_option("--refuse-at-most", promise.refuse_at_most,
+                 "share of solvable scenes that may be refused: the threshold is chosen so, by the "
+                 "weights' calibration")
+      ->check(share)
+      ->excludes("--refusal-threshold");
+  app.add_option("--fail-at-most", promise.fail_at_most,
+                 "share of attempted scenes that may fail: the threshold is chosen so; with both, "
+                 "this one is kept where they exclude each other")
+      ->check(share)
+      ->excludes("--refusal-threshold");
+  app.add_option("--delta", promise.delta,
+                 "--fail-at-most holds with probability 1 - delta over calibrations")
+      ->check(share)
+      ->capture_default_str();
+}
+
 void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   auto& search = options.search;
   app.add_option("--samples", search.samples, "rollouts a search, over all workers")
@@ -81,6 +99,7 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
                  "plans that score less are refused; -1: the weights' own")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
+  AddPromiseOptions(app, options.promise);
   app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "model/refusal/promise.h"
 #include "planner/search_parameters.h"
 
 namespace prospect::services {
@@ -17,6 +18,7 @@ struct ExecutiveOptions {
   std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
   planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
   double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
+  model::Promise promise;         ///< asked for: sets refusal_threshold by the weights' calibration
   int leaves = 2;                 ///< evaluations a worker may have in flight
   bool sharing = true;            ///< workers take each other's statistics and evaluations
   std::int64_t budget_ms = -1;    ///< time for one search; negative: none

@@ -9,6 +9,7 @@ namespace prospect::services {
 namespace {
 
 constexpr std::int64_t kLookTimeoutMs = 5000;
+constexpr std::int64_t kCalibrationTimeoutMs = 5000;  // several times the servers' period
 
 bool Searches(const ExecutiveOptions& options) { return options.policy == "search"; }
 
@@ -71,7 +72,6 @@ bool Fits(const model_info_t& info, const task_t& task) {
          info.image_width == task.image_width && info.image_height == task.image_height;
 }
 
-}  // namespace
 /// Weights without V, Q, p and f are said at once, not after waiting for workers.
 void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options) {
   if (!Searches(options) || options.workers == 0) return;
@@ -89,6 +89,7 @@ void RequireJudgement(Conversation& talk, const ExecutiveOptions& options) {
   }
 }
 
+}  // namespace
 
 std::string HexText(std::int64_t value) {
   char text[17];
@@ -142,6 +143,15 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
                                     HexText(live.front().weights_hash) + " for task '" +
                                     live.front().task + "'; start one with --weights for task '" +
                                     talk.view().task()->name + "'");
+}
+
+const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model) {
+  const auto heard = [&] { return talk.view().calibration(model.weights_hash) != nullptr; };
+  if (talk.Until(heard, kCalibrationTimeoutMs)) return *talk.view().calibration(model.weights_hash);
+  throw ExitError(kExitWeights,
+                  "weights " + HexText(model.weights_hash) +
+                      " carry no calibration sample, so nothing can be promised: make one with "
+                      "./prospect evaluate --calibrate");
 }
 
 observation_t Look(Conversation& talk, std::int64_t frame) {

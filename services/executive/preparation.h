@@ -25,6 +25,10 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options);
 /// fits, kExitServiceLost when none lives.
 model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options);
 
+/// The calibration of this model's weights. Throws kExitWeights when its servers say none within
+/// 5 s: the weights carry none.
+const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model);
+
 /// Waits for the picture that shows the world after frame `frame` was taken. Throws kExitTimeout
 /// when none comes within 5 s.
 observation_t Look(Conversation& talk, std::int64_t frame);

@@ -68,6 +68,29 @@ json WhatIfJson(const WhatIf& what_if) {
   return result;
 }
 
+json ConfidenceJson(const Confidence& confidence) {
+  return {{"success", confidence.scenes > 0 ? json(confidence.share()) : json(nullptr)},
+          {"scenes", confidence.scenes},
+          {"solved", confidence.solved},
+          {"scores", {confidence.low, confidence.high}},
+          {"calibration_scenes", confidence.sample},
+          {"promises", confidence.promises},
+          {"caveat", confidence.caveat}};
+}
+
+// What calibration scenes say of the plan that was begun, or refused.
+std::string ConfidenceLines(const EpisodeRecord& record) {
+  if (!record.confidence) return "";
+  std::string text;
+  const bool planned = !record.searches.empty() && !record.searches.front().steps.empty();
+  if (planned && record.confidence->scenes > 0)
+    text +=
+        "At the start: " + SuccessSentence(*record.confidence, record.searches.front().act) + '\n';
+  for (const auto& sentence : record.confidence->promises) text += sentence + '\n';
+  if (!record.confidence->caveat.empty()) text += record.confidence->caveat + '\n';
+  return text + record.confidence->table;
+}
+
 json ActJson(const ActRecord& act) {
   return {{"action", act.action},
           {"name", act.name},
@@ -133,6 +156,7 @@ std::string PlanTable(const EpisodeRecord& record) {
   for (const auto& atom : record.goal)
     text += (&atom == &record.goal.front() ? "Goal: " : ", ") + atom;
   if (!record.goal.empty()) text += '\n';
+  text += ConfidenceLines(record);
   if (record.searches.empty()) return text;
   std::int64_t rollouts = 0, evaluations = 0;
   for (const auto& search : record.searches)
@@ -174,6 +198,7 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   for (const auto& search : record.searches) result["searches"].push_back(SearchJson(search));
   if (record.explanation && record.explanation->what_if)
     result["what_if"] = WhatIfJson(*record.explanation->what_if);
+  if (record.confidence) result["confidence"] = ConfidenceJson(*record.confidence);
   return result.dump(2) + '\n';
 }
 

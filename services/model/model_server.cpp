@@ -6,6 +6,7 @@
 #include <chrono>
 #include <unordered_set>
 
+#include "services/binding/calibration_messages.h"
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/novelty_messages.h"
 #include "services/binding/search_messages.h"
@@ -359,6 +360,19 @@ void ModelServer::PublishInfo(const Active* active) {
   bus_.Publish(info);
 }
 
+// Before MODEL_INFO: whoever has heard that of a server need not wait for this.
+void ModelServer::PublishCalibration() {
+  const auto& engine = engine_.info();
+  if (engine.calibration.empty()) return;
+  calibration_t calibration{};
+  calibration.utime = UtimeNow();
+  calibration.server_id = health_.instance_id();
+  calibration.weights_hash = static_cast<std::int64_t>(engine_.weights_hash());
+  calibration.task = engine.task;
+  SetSample(engine.calibration, &calibration);
+  bus_.Publish(calibration);
+}
+
 // How long the batch at hand waits for clients that are due back; 0 when it is full.
 std::int64_t ModelServer::BatchWaitUs() {
   return static_cast<int>(queue_.paths()) >= options_.batch ? 0 : timing_.WaitUs(SteadyUs());
@@ -376,7 +390,10 @@ void ModelServer::Turn() {
   while (!queue_.empty() && BatchWaitUs() > 0) bus_.Poll(1);
   if (!queue_.empty()) RunBatch();
   if (queue_.empty()) RunPrediction();
-  if (info_due_.Due(SteadyMs())) PublishInfo();
+  if (info_due_.Due(SteadyMs())) {
+    PublishCalibration();
+    PublishInfo();
+  }
   health_.SetQueue(static_cast<std::int32_t>(queue_.paths()));
   health_.SetCounter("evaluations", statistics_.evaluations());
   health_.SetCounter("cache hits", statistics_.hits());

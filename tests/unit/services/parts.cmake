@@ -14,7 +14,7 @@ endif()
 if(TARGET prospect_executive_lib)
   find_package(nlohmann_json 3 REQUIRED)
   prospect_quiet_regex(parts/explanation_page_test.cpp)
-  prospect_test(services_executive_test SOURCES parts/episode_goal_test.cpp parts/explanation_page_test.cpp parts/explanation_test.cpp
+  prospect_test(services_executive_test SOURCES parts/confidence_test.cpp parts/episode_goal_test.cpp parts/explanation_page_test.cpp parts/explanation_test.cpp
     parts/policy_test.cpp parts/report_test.cpp
     LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
   target_compile_definitions(services_executive_test PRIVATE PROSPECT_PICTURES=$<BOOL:${OpenCV_FOUND}>)
@@ -23,6 +23,10 @@ if(TARGET prospect_player_lib)
   prospect_test(services_player_test SOURCES parts/video_scene_test.cpp LIBS prospect_player_lib)
   target_include_directories(services_player_test SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
   target_link_libraries(services_player_test PRIVATE opencv_core opencv_imgproc opencv_videoio)
+endif()
+if(TARGET prospect_model_server_lib)
+  prospect_bus_test(services_calibration_server_test SOURCES calibration_server_test.cpp
+    LIBS prospect_model_server_lib prospect_engine_scripted)
 endif()
 if(TARGET prospect_replay_lib)
   prospect_test(services_replay_test SOURCES parts/journal_test.cpp LIBS prospect_replay_lib)

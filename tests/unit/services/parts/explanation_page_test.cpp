@@ -116,6 +116,23 @@ TEST(ExplanationPageTest, TellsVerdictPlansReasonsAndTheSearch) {
   EXPECT_EQ(page.find("What if"), std::string::npos);
 }
 
+TEST(ExplanationPageTest, TellsWhatCalibrationScenesSay) {
+  EXPECT_EQ(ExplanationPage(Acting()).find("When to refuse"), std::string::npos);
+  Explanation explanation = Acting();
+  model::CalibrationSample sample;
+  for (int i = 0; i < 40; ++i)
+    sample.scenes.push_back({0.02 * i, model::SceneClass::kSolvable,
+                             i < 10 ? model::SceneEnding::kFailed : model::SceneEnding::kSolved});
+  explanation.confidence = ConfidenceOf(sample, 0.66, "paper", {}, false);
+  explanation.confidence->promises = {"Refuses at most <5 %."};
+  const std::string page = ExplanationPage(explanation);
+  EXPECT_EQ(TagDefects(page), "");
+  EXPECT_NE(page.find("Succeeds in about 75 %: of 40 calibration scenes"), std::string::npos);
+  EXPECT_NE(page.find("Refuses at most &lt;5 %."), std::string::npos);
+  EXPECT_NE(page.find("When to refuse"), std::string::npos);
+  EXPECT_NE(page.find("<polyline "), std::string::npos);
+}
+
 TEST(ExplanationPageTest, EveryPictureHasItsWords) {
   if (!PROSPECT_PICTURES) GTEST_SKIP() << "this build draws none";
   const std::string page = ExplanationPage(Acting());

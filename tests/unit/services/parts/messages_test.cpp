@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "services/binding/calibration_messages.h"
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/statistics_messages.h"
@@ -27,6 +28,29 @@ TEST(EvaluationMessages, AllowedActionsComeBackWithinTheGridAndOthersAsZero) {
   EXPECT_NEAR(back.p[0], 0.9f, 1.0 / 65535);
   EXPECT_EQ(back.q[1], 0.0f);
   EXPECT_EQ(back.p[2], 0.0f);
+}
+
+TEST(CalibrationMessages, ComeBackWithEveryScene) {
+  model::CalibrationSample sample;
+  sample.rule = "paper";
+  sample.parameters = {{"samples", 30}, {"v_failed", 0.02}};
+  sample.scenes = {{0, model::SceneClass::kHopeless, model::SceneEnding::kRefused},
+                   {0.25, model::SceneClass::kSolvable, model::SceneEnding::kStopped},
+                   {0.875, model::SceneClass::kDoubtful, model::SceneEnding::kFailed}};
+  calibration_t message{};
+  SetSample(sample, &message);
+  SetSample(sample, &message);  // what was there before does not stay
+  EXPECT_EQ(message.num_scenes, 3);
+  EXPECT_EQ(message.num_parameters, 2);
+  const model::CalibrationSample back = SampleFrom(message);
+  EXPECT_EQ(back.rule, sample.rule);
+  EXPECT_EQ(back.parameters, sample.parameters);
+  ASSERT_EQ(back.scenes.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(back.scenes[i].score, sample.scenes[i].score);
+    EXPECT_EQ(back.scenes[i].scene_class, sample.scenes[i].scene_class);
+    EXPECT_EQ(back.scenes[i].ending, sample.scenes[i].ending);
+  }
 }
 
 // What went over the wire once is not changed by going over it again: all processes see the same

@@ -1,0 +1,136 @@
+#include "services/executive/confidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/refusal/isotonic.h"
+
+namespace prospect::services {
+namespace {
+
+constexpr int kWidth = 360, kHeight = 200, kLeft = 48, kBottom = 40, kTop = 10, kRight = 14;
+constexpr double kLeastCoverage = 0.05;  // left of it a point stands on a handful of scenes
+
+std::string Text(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string Listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+// Where (coverage, risk) lies in the chart.
+struct Axes {
+  double most_risk;
+  double X(double coverage) const { return kLeft + coverage * (kWidth - kLeft - kRight); }
+  double Y(double risk) const {
+    return kHeight - kBottom - std::min(risk / most_risk, 1.0) * (kHeight - kBottom - kTop);
+  }
+};
+
+Axes AxesFor(const std::vector<model::ThresholdEffect>& curve) {
+  double most = 0.1;
+  for (const auto& effect : curve) {
+    if (effect.coverage >= kLeastCoverage) most = std::max(most, effect.risk);
+  }
+  return {std::ceil(most * 10) / 10};
+}
+
+std::string Line(double x0, double y0, double x1, double y1, const char* color) {
+  return "<path d=\"M" + Text("%.1f", x0) + Text(" %.1f", y0) + Text(" L%.1f", x1) +
+         Text(" %.1f", y1) + "\" stroke=\"" + color + "\"></path>\n";
+}
+
+std::string Words(double x, double y, const char* anchor, const std::string& text) {
+  return "<text x=\"" + Text("%.1f", x) + "\" y=\"" + Text("%.1f", y) + "\" text-anchor=\"" +
+         anchor + "\" font-size=\"11\" fill=\"var(--faint)\">" + text + "</text>\n";
+}
+
+std::string Grid(const Axes& axes) {
+  std::string svg;
+  for (int i = 0; i <= 4; ++i) {
+    const double x = axes.X(i / 4.0);
+    svg += Line(x, kTop, x, kHeight - kBottom, "var(--rule)");
+    svg += Words(x, kHeight - kBottom + 14, "middle", Text("%.0f %%", 25.0 * i));
+  }
+  const int steps = std::max(1, static_cast<int>(std::lround(axes.most_risk * 10)));
+  for (int i = 0; i <= steps; ++i) {
+    const double y = axes.Y(i / 10.0);
+    svg += Line(kLeft, y, kWidth - kRight, y, "var(--rule)");
+    svg += Words(kLeft - 6, y + 4, "end", Text("%.0f %%", 10.0 * i));
+  }
+  return svg +
+         Words((kLeft + kWidth - kRight) / 2.0, kHeight - 6, "middle", "attempted of all scenes") +
+         "<text transform=\"translate(11," + Text("%.0f", (kTop + kHeight - kBottom) / 2.0) +
+         ") rotate(-90)\" text-anchor=\"middle\" font-size=\"11\" fill=\"var(--faint)\">failed of "
+         "these</text>\n";
+}
+
+std::string Steps(const Axes& axes, const std::vector<model::ThresholdEffect>& curve) {
+  std::string points;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const std::string x = Text("%.1f,", axes.X(curve[i].coverage));
+    if (i > 0) points += x + Text("%.1f ", axes.Y(curve[i - 1].risk));
+    points += x + Text("%.1f ", axes.Y(curve[i].risk));
+  }
+  return "<polyline fill=\"none\" stroke=\"var(--bar)\" stroke-width=\"2\" points=\"" + points +
+         "\"></polyline>\n";
+}
+
+// The most lenient point of the curve that the threshold still lets through.
+std::string Mark(const Axes& axes, const std::vector<model::ThresholdEffect>& curve,
+                 double threshold) {
+  const model::ThresholdEffect* at = nullptr;
+  for (const auto& effect : curve) {
+    if (effect.threshold >= threshold) at = &effect;
+  }
+  if (at == nullptr) return "";
+  return "<circle cx=\"" + Text("%.1f", axes.X(at->coverage)) + "\" cy=\"" +
+         Text("%.1f", axes.Y(at->risk)) + "\" r=\"5\" fill=\"var(--bad)\"></circle>\n";
+}
+
+}  // namespace
+
+Confidence ConfidenceOf(const model::CalibrationSample& sample, double score,
+                        const std::string& rule, const std::map<std::string, double>& parameters,
+                        bool goal) {
+  Confidence confidence;
+  confidence.sample = static_cast<int>(sample.scenes.size());
+  confidence.curve = model::RiskCoverageCurve(sample);
+  std::vector<std::string> differences = model::Differences(sample, rule, parameters);
+  if (goal) differences.emplace_back("a goal, where the calibration had the task's own");
+  if (!differences.empty())
+    confidence.caveat = "The calibration does not cover this search: " + Listed(differences) + ".";
+  const model::SuccessCurve success(sample);
+  if (success.empty()) return confidence;
+  const model::SuccessBlock& block = success.At(score);
+  confidence.scenes = block.scenes;
+  confidence.solved = block.solved;
+  confidence.low = block.low;
+  confidence.high = block.high;
+  return confidence;
+}
+
+std::string SuccessSentence(const Confidence& confidence, bool act) {
+  if (confidence.scenes == 0) return "";
+  return std::string(act ? "Succeeds" : "Carried out, it would succeed") + " in about " +
+         Text("%.0f %%", 100 * confidence.share()) + ": of " + std::to_string(confidence.scenes) +
+         " calibration scenes whose plan scored " + Text("%.3f", confidence.low) + " to " +
+         Text("%.3f", confidence.high) + ", " + std::to_string(confidence.solved) + " were solved.";
+}
+
+std::string RiskChart(const Confidence& confidence, double threshold) {
+  if (confidence.curve.size() < 2) return "";
+  const Axes axes = AxesFor(confidence.curve);
+  return "<svg width=\"" + std::to_string(kWidth) + "\" height=\"" + std::to_string(kHeight) +
+         "\" role=\"img\" aria-label=\"share that fails against share that is attempted\">\n" +
+         Grid(axes) + Steps(axes, confidence.curve) + Mark(axes, confidence.curve, threshold) +
+         "</svg>\n";
+}
+
+}  // namespace prospect::services

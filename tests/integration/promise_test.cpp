@@ -1,0 +1,120 @@
+// Promises about refusals on their way from a calibration on the bus to the answer. The test says
+// the calibration itself, in the name of the scripted weights, which carry none.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/integration/support/deployment.h"
+
+namespace prospect::tests {
+namespace {
+
+constexpr int kEpisodeMs = 60000;
+
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class Promises : public ::testing::Test {
+ protected:
+  Promises() {
+    witness_.bus.Subscribe<model_info_t>(
+        [this](const model_info_t& info) { calibration_.weights_hash = info.weights_hash; });
+  }
+
+  // Solvable scenes that score 0.01, 0.02, ...; below 0.3 they fail, above they are solved.
+  void Calibrate() {
+    calibration_.task = "navigation";
+    calibration_.rule = "paper";
+    calibration_.parameter_names = {"samples"};
+    calibration_.parameter_values = {150};
+    for (int i = 1; i <= 99; ++i) {
+      calibration_.scores.push_back(static_cast<float>(i) / 100);
+      calibration_.classes.push_back(calibration_t::CLASS_SOLVABLE);
+      calibration_.endings.push_back(i < 30 ? calibration_t::ENDING_FAILED
+                                            : calibration_t::ENDING_SOLVED);
+    }
+    messages::SetCounts(calibration_);
+  }
+
+  int Explain(Deployment& deployment, std::vector<std::string> more) {
+    more.insert(more.begin(), "--explain-only");
+    auto& executive = deployment.Executive(more);
+    int code = -1;
+    EXPECT_TRUE(witness_.Until([&] { return (code = executive.Wait(0)) >= 0; }, kEpisodeMs,
+                               [&] { Say(); }));
+    deployment.Forget(executive);
+    return code;
+  }
+
+  void Say() {
+    if (!calibration_.scores.empty() && calibration_.weights_hash != 0)
+      witness_.bus.Publish(calibration_);
+  }
+
+  double LatestThreshold() const {
+    const search_root_t& root = witness_.roots.back();
+    for (std::size_t i = 0; i < root.parameter_names.size(); ++i) {
+      if (root.parameter_names[i] == "refusal_threshold") return root.parameter_values[i];
+    }
+    return -1;
+  }
+
+  Witness witness_;
+  calibration_t calibration_{};
+};
+
+TEST_F(Promises, AreKeptByTheCalibrationOfTheWeights) {
+  Deployment deployment("promise_kept");
+  ASSERT_TRUE(deployment.Up(witness_, 1));
+  Calibrate();
+  const int code = Explain(deployment, {"--refuse-at-most", "0.1"});
+  EXPECT_TRUE(code == 0 || code == 3) << code;
+  ASSERT_FALSE(witness_.roots.empty());
+  EXPECT_NEAR(LatestThreshold(), 0.10, 1e-6);  // the tenth of 99
+  auto confidence = deployment.Result().at("confidence");
+  EXPECT_EQ(confidence.at("calibration_scenes"), 99);
+  EXPECT_TRUE(Holds(confidence.at("promises").at(0), "Refuses at most 10 % of what can be done"));
+  EXPECT_EQ(confidence.at("caveat"), "");
+  const std::string page = ReadText(deployment.folder + "/out/explain.html");
+  EXPECT_TRUE(Holds(page, "ucceed"));
+  EXPECT_TRUE(Holds(page, "When to refuse"));
+  EXPECT_TRUE(Holds(page, "<svg "));
+
+  // Both at once cannot be had: failing seldom holds, and the curve is shown.
+  Explain(deployment, {"--refuse-at-most", "0.1", "--fail-at-most", "0.1", "--samples", "100"});
+  EXPECT_GT(LatestThreshold(), 0.15);
+  confidence = deployment.Result().at("confidence");
+  EXPECT_TRUE(Holds(confidence.at("promises").back(), "Both cannot be had"));
+  EXPECT_TRUE(Holds(confidence.at("caveat"), "samples 100 instead of 150"));
+  const std::string said = deployment.Log("5-prospect-executive");
+  EXPECT_TRUE(Holds(said, "Both cannot be had")) << said;
+  EXPECT_TRUE(Holds(said, " threshold   attempted")) << said;
+}
+
+TEST_F(Promises, ThatNoThresholdKeepsAreRefusedBeforeAnythingIsSearched) {
+  Deployment deployment("promise_impossible");
+  ASSERT_TRUE(deployment.Up(witness_, 1));
+  Calibrate();
+  EXPECT_EQ(Explain(deployment, {"--fail-at-most", "0.001"}), 3);
+  EXPECT_TRUE(witness_.roots.empty());
+  const auto result = deployment.Result();
+  EXPECT_EQ(result.at("outcome"), "refused");
+  EXPECT_TRUE(Holds(result.at("reason"), "cannot be promised"));
+  EXPECT_TRUE(Holds(ReadText(deployment.folder + "/out/explain.html"), "cannot be promised"));
+}
+
+TEST_F(Promises, WithoutACalibrationNothingIsPromised) {
+  Deployment deployment("promise_unknown");
+  ASSERT_TRUE(deployment.Up(witness_, 1));
+  EXPECT_EQ(Explain(deployment, {"--refuse-at-most", "0.1"}), 10);
+  EXPECT_TRUE(Holds(deployment.Log("4-prospect-executive"), "carry no calibration sample"));
+  EXPECT_TRUE(witness_.roots.empty());
+  EXPECT_EQ(Explain(deployment, {"--refuse-at-most", "1.5"}), 2);
+  EXPECT_EQ(Explain(deployment, {"--refuse-at-most", "0.1", "--refusal-threshold", "0.3"}), 2);
+}
+
+}  // namespace
+}  // namespace prospect::tests
