@@ -1,8 +1,11 @@
 #include "services/binding/task_messages.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "services/binding/search_messages.h"
 
 namespace prospect::services {
 namespace {
@@ -72,8 +75,15 @@ std::vector<planner::ActionWords> WordsFromTask(const task_t& task) {
   return words;
 }
 
+// What lies outside the range becomes the nearest: it came over the bus.
+int PlanLengthOf(const task_t& task, const search_root_t& root) {
+  const double given = ParameterOr(root, kPlanLength, task.plan_length);
+  return static_cast<int>(std::clamp<double>(given, 1, planner::kMaxPathLength));
+}
+
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
   planner::TaskRules rules = RulesFromTask(task);
+  rules.plan_length = PlanLengthOf(task, root);
   if (!root.goals.empty()) planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
   return rules;
 }

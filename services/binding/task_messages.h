@@ -24,8 +24,13 @@ planner::TaskRules RulesFromTask(const task_t& task);
 /// The table's words, for goals: kind and object of each action.
 std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
 
-/// The rules of one search: the task's, and the goal of its SEARCH_ROOT (prepared then). Throws as
-/// RulesFromTask, and planner::GoalError when the goal is no goal or not one of this task.
+/// After how many actions the plan of this search is complete: the task's plan_length, or the
+/// root's parameter of that name, which a plan that was begun anew carries (planner/attempts.h).
+int PlanLengthOf(const task_t& task, const search_root_t& root);
+
+/// The rules of one search: the task's, its plan length, and the goal of its SEARCH_ROOT (prepared
+/// then). Throws as RulesFromTask, and planner::GoalError when the goal is no goal or not one of
+/// this task.
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root);
 
 }  // namespace prospect::services

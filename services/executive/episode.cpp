@@ -7,7 +7,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "model/surprise.h"
 #include "services/binding/search_messages.h"
+#include "services/binding/task_messages.h"
 #include "services/executive/policy.h"
 #include "services/executive/preparation.h"
 
@@ -96,6 +98,7 @@ Episode::Episode(Conversation& talk, const ExecutiveOptions& options)
       goal_(options.goal),
       session_(talk),
       predictions_(talk),
+      familiarity_(talk),
       actions_(talk) {
   record_.goal = goal_.Atoms();
   record_.seed = options_.seed;
@@ -168,7 +171,7 @@ void Episode::ChooseThreshold() {
   for (const std::string& sentence : promised_.words) spdlog::info("{}", sentence);
 }
 
-SearchQuestion Episode::MakeQuestion() const {
+SearchQuestion Episode::MakeQuestion(const planner::Attempt& attempt) const {
   const task_t& task = *talk_.view().task();
   SearchQuestion question;
   question.first = ImageMessage(first_);
@@ -181,7 +184,7 @@ SearchQuestion Episode::MakeQuestion() const {
   root.episode_id = record_.seed;
   root.image0_id = question.first.image_id;
   root.image_id = question.present.image_id;
-  root.executed.assign(executed_.begin(), executed_.end());
+  root.executed = attempt.executed;
   root.num_executed = static_cast<std::int32_t>(root.executed.size());
   root.time_left = -1;
   root.goals = goal_.Atoms();
@@ -189,7 +192,7 @@ SearchQuestion Episode::MakeQuestion() const {
   root.leaves = options_.leaves;
 
   planner::SearchParameters parameters = options_.search;
-  const int remaining = task.plan_length - static_cast<int>(executed_.size());
+  const int remaining = attempt.plan_length - static_cast<int>(attempt.executed.size());
   parameters.depth = parameters.depth > 0 ? std::min(parameters.depth, remaining) : remaining;
   parameters.refusal_threshold =
       options_.refusal_threshold >= 0 ? options_.refusal_threshold : model_.refusal_threshold;
@@ -197,6 +200,7 @@ SearchQuestion Episode::MakeQuestion() const {
   parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
   parameters.workers = LiveWorkers();
   SetParameters(parameters, &root);
+  if (attempt.plan_length != task.plan_length) SetPlanLength(attempt.plan_length, &root);
   return question;
 }
 
@@ -217,6 +221,15 @@ std::vector<planner::Future> Episode::OtherFirstActions(const planner::Plan& pla
     }
   }
   return others;
+}
+
+// A picture that the networks cannot know is refused, whatever they say of its futures.
+void Episode::Recognise(planner::Plan* plan) {
+  if (options_.novelty <= 0) return;
+  record_.familiarity = familiarity_.Ask(session_.root(), record_.first, options_.novelty);
+  if (!record_.familiarity || !record_.familiarity->foreign()) return;
+  plan->status = planner::PlanStatus::kRefused;
+  plan->reason = model::NoveltyRefusal(record_.familiarity->novelty);
 }
 
 void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
@@ -305,7 +318,8 @@ void Episode::AddConfidence(double score) {
       {"c_done", search.c_done},
       {"v_failed", search.v_failed},
       {"p_min", search.p_min},
-      {"plan_length", talk_.view().task()->plan_length}};
+      {"plan_length", talk_.view().task()->plan_length},
+      {"retries", options_.retries}};
   record_.confidence = ConfidenceOf(*sample, score, search.rule, parameters, !record_.goal.empty());
   record_.confidence->promises = promised_.words;
   if (!promised_.kept) record_.confidence->table = model::CurveTable(*sample);
@@ -318,6 +332,9 @@ void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& rec
   Explanation explanation = Explain(answer.plan, context);
   NameScene(&explanation);
   explanation.confidence = record_.confidence;
+  explanation.familiarity = record_.familiarity;
+  // No plan lost by what it was imagined to do.
+  if (record_.familiarity && record_.familiarity->foreign()) explanation.chosen.why.clear();
   explanation.ended_by = record.ended_by;
   explanation.rollouts = record.rollouts;
   explanation.evaluations = record.evaluations;
@@ -333,11 +350,12 @@ void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& rec
   record_.explanation = std::move(explanation);
 }
 
-SearchRecord Episode::SearchOnce() {
+SearchRecord Episode::SearchOnce(const planner::Attempt& attempt, planner::Plan* plan) {
   const auto since = Clock::now();
-  const SearchQuestion question = MakeQuestion();
-  const SearchAnswer answer = session_.Search(question);
+  const SearchQuestion question = MakeQuestion(attempt);
+  SearchAnswer answer = session_.Search(question);
   AddSeconds("search", since);
+  if (record_.searches.empty()) Recognise(&answer.plan);
 
   SearchRecord record;
   record.act = answer.plan.ok();
@@ -354,24 +372,80 @@ SearchRecord Episode::SearchOnce() {
   record.converged = answer.converged;
   record.table = HexText(static_cast<std::int64_t>(answer.table));
   record.seconds = answer.seconds;
-  if (record_.searches.empty()) AddConfidence(record.score);
+  record.search_id = session_.root().search_id;
+  record.epoch = session_.root().epoch;
+  const bool foreign = record_.familiarity && record_.familiarity->foreign();
+  if (record_.searches.empty() && !foreign) AddConfidence(record.score);
   if (ToBeExplained()) AddExplanation(answer, record);
   AddImagined(answer.plan, &record);
   spdlog::info("search {}: {} rollouts, {} evaluations, {:.2f} s; {}", record_.searches.size() + 1,
                record.rollouts, record.evaluations, record.seconds, Summary(answer.plan));
+  *plan = answer.plan;
   return record;
 }
 
+void Episode::BeginAttempts() {
+  const task_t& task = *talk_.view().task();
+  planner::TaskRules rules = RulesFromTask(task);
+  goal_.Set(task, &rules);
+  attempts_.emplace(std::move(rules), options_.retries);
+}
+
+// `record` tells of the search that decided; of two, the other is told in its note.
+planner::NextStep Episode::Decide(SearchRecord* record) {
+  std::vector<SearchRecord> records;
+  const double surprise = SurpriseNow();
+  const bool surprised = surprise > options_.surprise;
+  const auto search = [&](const planner::Attempt& attempt) {
+    planner::Plan plan;
+    records.push_back(SearchOnce(attempt, &plan));
+    return plan;
+  };
+  const planner::NextStep next = attempts_->Next(search, surprised);
+  const bool anew = next.kind == planner::NextStep::Kind::kAnew;
+  *record = anew ? std::move(records.back()) : std::move(records.front());
+  if (next.action >= 0 && attempts_->followed() == 0) SetCourse(*record);
+  if (anew) {
+    record->note = surprised ? "begins anew: a patch of the picture differs by " +
+                                   Number("%.2f", surprise) + " from what was imagined"
+                             : "begins anew: going on scored " + Number("%.2f", next.going_on);
+  }
+  if (next.kind == planner::NextStep::Kind::kCarryOn) {
+    record->note = "the plan is lost (" + record->reason + "): on to where it can begin anew";
+    record->steps.clear();
+  }
+  if (!record->note.empty()) spdlog::info("{}", record->note);
+  return next;
+}
+
+// How the plan that is followed is to look after each of its actions.
+void Episode::SetCourse(const SearchRecord& record) {
+  course_.clear();
+  for (const auto& step : record.steps) course_.push_back(step.imagined);
+}
+
+// Of what is seen, where that may decide to begin anew; else 0.
+double Episode::SurpriseNow() const {
+  const auto done = static_cast<std::size_t>(attempts_->followed());
+  if (done == 0 || done > course_.size() || !attempts_->may_begin_anew()) return 0;
+  const Picture& imagined = course_[done - 1];
+  const Picture seen = PictureOf(latest_);
+  if (imagined.empty() || imagined.width != seen.width || imagined.height != seen.height) return 0;
+  return model::Surprise(imagined.rgb, seen.rgb, seen.width, seen.height);
+}
+
 void Episode::RunSearchPolicy() {
+  BeginAttempts();
   for (;;) {
-    record_.searches.push_back(SearchOnce());
-    const SearchRecord& search = record_.searches.back();
+    SearchRecord search;
+    const planner::NextStep next = Decide(&search);
+    record_.searches.push_back(search);
     PublishPlan(search);
-    if (!search.act) {
+    if (next.kind == planner::NextStep::Kind::kGiveUp) {
       return Verdict(record_.acts.empty() ? "refused" : "stopped", search.reason);
     }
     if (options_.explain_only) return Verdict("explained", "");
-    if (!Act(search.steps.front().action)) return;
+    if (!Act(next.action)) return;
   }
 }
 
@@ -418,7 +492,7 @@ bool Episode::Act(int action) {
   act.sim_seconds = static_cast<double>(latest_.sim_time_us - begun_us) * 1e-6;
   act.picture = PictureOf(latest_);
   record_.acts.push_back(act);
-  executed_.push_back(action);
+  if (attempts_) attempts_->CarriedOut(action);
   if (!record_.searches.empty()) PublishPlan(record_.searches.back());
   spdlog::info("{} {}{}", act.name, act.observed, act.reason.empty() ? "" : ": " + act.reason);
 
@@ -432,12 +506,14 @@ bool Episode::Act(int action) {
 // After an action that succeeded. A robot that judges no outcome has solved its task when its plan
 // is carried out; one that does is asked.
 bool Episode::GoesOn(const action_status_t& status) {
-  const bool complete = static_cast<int>(executed_.size()) >= talk_.view().task()->plan_length;
+  const bool complete =
+      attempts_ ? attempts_->complete()
+                : static_cast<int>(record_.acts.size()) >= talk_.view().task()->plan_length;
   if (status.outcome == label_t::OUTCOME_FAILURE) {
     Verdict("failed", InWords(status.reason));
   } else if (status.outcome == label_t::OUTCOME_SUCCESS ||
              (complete && status.outcome == label_t::OUTCOME_UNKNOWN)) {
-    const bool reached = goal_.Reached(*talk_.view().task(), executed_);
+    const bool reached = GoalReached();
     Verdict(reached ? "solved" : "failed", reached ? "" : "goal not reached");
   } else if (complete && options_.policy == "search") {
     Verdict("stopped", "the plan was carried out and the task is not complete");
@@ -447,11 +523,21 @@ bool Episode::GoesOn(const action_status_t& status) {
   return false;
 }
 
+// By all that was carried out, or by what was since the plan was begun anew: a plan may have been
+// taken for lost that was not.
+bool Episode::GoalReached() const {
+  const task_t& task = *talk_.view().task();
+  planner::Path all;
+  for (const auto& act : record_.acts) all.push_back(static_cast<std::uint8_t>(act.action));
+  return goal_.Reached(task, all) ||
+         (attempts_ && goal_.Reached(task, attempts_->current().executed));
+}
+
 void Episode::PublishPlan(const SearchRecord& record) {
   plan_t plan{};
   plan.executive_id = talk_.id();
-  plan.search_id = session_.root().search_id;
-  plan.epoch = session_.root().epoch;
+  plan.search_id = record.search_id;
+  plan.epoch = record.epoch;
   plan.episode_id = record_.seed;
   plan.decision = record.act ? plan_t::DECISION_ACT : plan_t::DECISION_REFUSE;
   plan.reason = record.reason;

@@ -2,13 +2,16 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "planner/attempts.h"
 #include "services/executive/action_runner.h"
 #include "services/executive/conversation.h"
 #include "services/executive/episode_goal.h"
 #include "services/executive/episode_record.h"
+#include "services/executive/familiarity.h"
 #include "services/executive/options.h"
 #include "services/executive/predictions.h"
 #include "services/executive/search_session.h"
@@ -37,13 +40,18 @@ class Episode {
  private:
   void Prepare();
   void RunSearchPolicy();
+  void BeginAttempts();
+  void SetCourse(const SearchRecord& record);
+  double SurpriseNow() const;
   void RunFixedPlan(const std::vector<int>& plan);
-  SearchRecord SearchOnce();
-  SearchQuestion MakeQuestion() const;
+  planner::NextStep Decide(SearchRecord* record);
+  SearchRecord SearchOnce(const planner::Attempt& attempt, planner::Plan* plan);
+  SearchQuestion MakeQuestion(const planner::Attempt& attempt) const;
   int LiveWorkers() const;
   bool Act(int action);
   action_status_t CarryOut(int action);
   bool GoesOn(const action_status_t& status);
+  void Recognise(planner::Plan* plan);
   void AddImagined(const planner::Plan& plan, SearchRecord* record);
   bool ToBeExplained() const;
   void AddExplanation(const SearchAnswer& answer, const SearchRecord& record);
@@ -53,6 +61,7 @@ class Episode {
   void AddConfidence(double score);
   void NameWhatIf();
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;
+  bool GoalReached() const;
   void PublishPlan(const SearchRecord& record);
   void Conclude();
   void Verdict(const std::string& outcome, const std::string& reason);
@@ -64,14 +73,16 @@ class Episode {
   EpisodeGoal goal_;
   SearchSession session_;
   PredictionInbox predictions_;
+  FamiliarityInbox familiarity_;
   ActionRunner actions_;
   EpisodeRecord record_;
   observation_t first_{};
   observation_t latest_{};
   model_info_t model_{};
-  model::PromisedThreshold promised_;  // of options_.promise
-  std::vector<int> executed_;
-  planner::Path what_if_;  // empty: nothing was asked
+  model::PromisedThreshold promised_;          // of options_.promise
+  std::optional<planner::Attempts> attempts_;  // under policy "search"
+  std::vector<Picture> course_;                // what the plan that is followed imagined
+  planner::Path what_if_;                      // empty: nothing was asked
 };
 
 /// A person's words for why a future was not chosen.

@@ -53,11 +53,15 @@ std::string EpisodeGoal::Defect(const task_t& task, const std::optional<label_t>
   return "";
 }
 
-bool EpisodeGoal::Reached(const task_t& task, const std::vector<int>& executed) const {
+void EpisodeGoal::Set(const task_t& task, planner::TaskRules* rules) const {
+  planner::SetGoal(atoms_, WordsFromTask(task), rules);
+}
+
+bool EpisodeGoal::Reached(const task_t& task, const planner::Path& executed) const {
   if (empty()) return true;
   auto rules = RulesFromTask(task);
-  planner::SetGoal(atoms_, WordsFromTask(task), &rules);
-  return rules.GoalMet(planner::Path(executed.begin(), executed.end()), {});
+  Set(task, &rules);
+  return rules.GoalMet(executed, {});
 }
 
 }  // namespace prospect::services

@@ -22,8 +22,10 @@ class EpisodeGoal {
   /// Why the task, or the scene that `label` tells of, cannot have it; empty: nothing is known
   /// against it.
   std::string Defect(const task_t& task, const std::optional<label_t>& label) const;
+  /// Makes `rules` ask for it and prepares them. Throws planner::GoalError where Defect says why.
+  void Set(const task_t& task, planner::TaskRules* rules) const;
   /// Whether the actions carried out, in turn, brought it about. True where there is no goal.
-  bool Reached(const task_t& task, const std::vector<int>& executed) const;
+  bool Reached(const task_t& task, const planner::Path& executed) const;
 
  private:
   std::vector<planner::GoalAtom> atoms_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/executive/explanation.h"
+#include "services/executive/familiarity.h"
 #include "services/executive/picture.h"
 
 namespace prospect::services {
@@ -52,6 +53,9 @@ struct SearchRecord {
   std::int64_t evaluations = 0;  // distinct paths evaluated
   std::int64_t requested = 0;    // evaluations that workers asked for, summed over workers
   int workers = 0;
+  std::int64_t search_id = 0;
+  std::int32_t epoch = 0;
+  std::string note;        // what is not as usual: "begins anew", "the plan is lost"; else empty
   std::string table;       // TableHash of all that was known, 16 hexadecimal digits
   bool converged = false;  // every live worker's final rows were heard
   double seconds = 0;
@@ -86,6 +90,7 @@ struct EpisodeRecord {
   std::vector<ActRecord> acts;
   std::optional<Explanation> explanation;       // of the first search, where it was asked for
   std::optional<Confidence> confidence;         // in the first search's plan
+  std::optional<Familiarity> familiarity;       // of the first picture; none: nobody knows
   std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"
   std::vector<Picture> frames;    // every picture of the episode that was heard, in order
   double frames_per_second = 10;  // of simulated time

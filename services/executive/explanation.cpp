@@ -607,6 +607,8 @@ std::string ExplanationText(const Explanation& explanation, int most) {
             other.why + '\n';
   }
   if (explanation.what_if) text += WhatIfText(*explanation.what_if);
+  if (explanation.familiarity && !explanation.familiarity->foreign())
+    text += '\n' + FamiliaritySentence(*explanation.familiarity) + '\n';
   return text;
 }
 

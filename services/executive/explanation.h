@@ -12,6 +12,7 @@
 #include "planner/search_parameters.h"
 #include "planner/task_rules.h"
 #include "services/executive/confidence.h"
+#include "services/executive/familiarity.h"
 #include "services/executive/picture.h"
 
 namespace prospect::services {
@@ -68,7 +69,8 @@ struct Explanation {
   std::vector<std::string> ruled_out;  // first actions that were never imagined, each with its p
   std::vector<std::string> untried;    // first actions of which no future was followed to its end
   std::optional<WhatIf> what_if;
-  std::optional<Confidence> confidence;  // none: the weights carry no calibration sample
+  std::optional<Familiarity> familiarity;  // of the picture; none: nobody knows
+  std::optional<Confidence> confidence;    // none: the weights carry no calibration sample
 
   planner::SearchParameters parameters;  // with the refusal threshold
   std::string ended_by;                  // empty: refused before anything was searched

@@ -26,6 +26,8 @@ p { margin: .3rem 0; }
 .verdict { display: flex; flex-wrap: wrap; gap: .4rem 1.6rem; align-items: flex-start; }
 .verdict figure { width: 12rem; max-width: 100%; }
 .verdict div { flex: 1 1 20rem; }
+.row { display: flex; flex-wrap: wrap; gap: .8rem; margin: .6rem 0; }
+.row figure { width: 12rem; max-width: 100%; }
 .steps { display: grid; grid-template-columns: repeat(auto-fill, minmax(6.6rem, 1fr)); gap: .8rem .6rem;
   list-style: none; margin: .6rem 0; padding: 0; }
 .steps li { font-size: .85rem; line-height: 1.35; }
@@ -158,6 +160,33 @@ std::string Verdict(const Explanation& explanation) {
 }
 
 std::string Heading(const std::string& text) { return Element("h2", "", Escaped(text)) + "\n"; }
+
+// Whether the networks can know what they look at.
+std::string Recognised(const Explanation& explanation) {
+  if (!explanation.familiarity) return "";
+  const Familiarity& familiarity = *explanation.familiarity;
+  std::string figures;
+  const auto add = [&](const Picture& picture, const std::string& words) {
+    const std::string image = Image(picture, words);
+    if (image.empty()) return;
+    const std::string caption = Element("figcaption", "class=\"faint\"", Escaped(words));
+    figures += Element("figure", "", image + caption) + "\n";
+  };
+  if (!familiarity.redrawn.empty()) {
+    add(familiarity.seen, "What the camera sees");
+    add(familiarity.redrawn, "What the networks make of it");
+    add(DifferenceMap(familiarity.seen, familiarity.redrawn), "Where the two differ");
+  }
+  return Heading(familiarity.foreign() ? "The picture is unlike known ones"
+                                       : "The picture is like known ones") +
+         Paragraph(FamiliaritySentence(familiarity)) +
+         Paragraph(
+             "p: how usual it would be, among first pictures of scenes kept for calibration, "
+             "to be redrawn as badly or to lie as far from the others; pictures below " +
+                 Number("%g", familiarity.level) + " are refused.",
+             "class=\"faint\"") +
+         (figures.empty() ? "" : Element("div", "class=\"row\"", "\n" + figures) + "\n");
+}
 
 std::string ScoreOf(const ExplainedPlan& plan) {
   const bool scored = !plan.steps.empty() && plan.steps.back().imagined;
@@ -307,11 +336,14 @@ std::string Base64(const std::string& bytes) {
 
 std::string ExplanationPage(const Explanation& explanation) {
   const std::string title = "Prospect: " + Headline(explanation);
+  const std::string recognised = Recognised(explanation);
+  const bool foreign = explanation.familiarity && explanation.familiarity->foreign();
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
          Element("title", "", Escaped(title)) + "\n" + Element("style", "", kStyle) +
-         "\n</head>\n<body>\n" + Verdict(explanation) + Chosen(explanation) + Named(explanation) +
-         Others(explanation) + Refusing(explanation) + HowTheSearchWent(explanation) + "</body>\n</html>\n";
+         "\n</head>\n<body>\n" + Verdict(explanation) + (foreign ? recognised : "") +
+         Chosen(explanation) + Named(explanation) + Others(explanation) + Refusing(explanation) +
+         (foreign ? "" : recognised) + HowTheSearchWent(explanation) + "</body>\n</html>\n";
 }
 
 }  // namespace prospect::services

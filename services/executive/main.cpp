@@ -99,7 +99,21 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
                  "plans that score less are refused; -1: the weights' own")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
+  app.add_option("--retries", options.retries,
+                 "times a plan that is lost may be begun anew, where the task allows it")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   AddPromiseOptions(app, options.promise);
+  app.add_option("--novelty", options.novelty,
+                 "first pictures with a smaller p-value are refused as unlike what the networks "
+                 "were trained on; 0: none")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--surprise", options.surprise,
+                 "a plan is lost where a patch of the picture differs more than this from what was "
+                 "imagined")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

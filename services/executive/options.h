@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "model/novelty_words.h"
 #include "model/refusal/promise.h"
 #include "planner/search_parameters.h"
 
@@ -18,12 +19,15 @@ struct ExecutiveOptions {
   std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
   planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
   double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
-  model::Promise promise;         ///< asked for: sets refusal_threshold by the weights' calibration
-  int leaves = 2;                 ///< evaluations a worker may have in flight
-  bool sharing = true;            ///< workers take each other's statistics and evaluations
-  std::int64_t budget_ms = -1;    ///< time for one search; negative: none
-  int workers = 1;                ///< planner workers to wait for before the first search
-  std::string weights_hash;       ///< 16 hexadecimal digits; empty: whatever the first server holds
+  int retries = 1;  ///< times a plan that is lost may be begun anew, where the task allows it
+  double surprise = 0.31;  ///< it is lost where a patch differs more than this from the imagined
+  model::Promise promise;  ///< asked for: sets refusal_threshold by the weights' calibration
+  double novelty = model::kNoveltyLevel;  ///< pictures with a smaller p-value are refused; 0: none
+  int leaves = 2;                         ///< evaluations a worker may have in flight
+  bool sharing = true;                    ///< workers take each other's statistics and evaluations
+  std::int64_t budget_ms = -1;            ///< time for one search; negative: none
+  int workers = 1;                        ///< planner workers to wait for before the first search
+  std::string weights_hash;  ///< 16 hexadecimal digits; empty: whatever the first server holds
   int services_timeout_ms = 15000;  ///< how long to wait for services to appear
   int scene_timeout_ms = 10000;     ///< and then for the scene to stand before the camera
   bool explain_only = false;        ///< searches once, tells why, and carries nothing out

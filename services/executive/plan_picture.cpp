@@ -39,6 +39,7 @@ struct Column {
   std::vector<std::string> figures;
   std::string verdict;
   cv::Scalar verdict_color = kInk;
+  std::string note;  // what was not as usual about the search before it
 };
 
 struct Layout {
@@ -95,6 +96,7 @@ Column StepColumn(const TableRow& row, const EpisodeRecord& record) {
   if (index < record.acts.size()) column.observed = record.acts[index].picture;
   column.figures = Figures(row);
   column.verdict = Observed(row, record);
+  column.note = row.note;
   column.verdict_color = row.observed == "succeeded" ? kGood : row.observed.empty() ? kFaint : kBad;
   return column;
 }
@@ -187,6 +189,9 @@ int DrawFigures(Canvas& canvas, const Layout& layout, const std::vector<Column>&
     const auto& column = columns[static_cast<std::size_t>(i)];
     int line = canvas.Paragraph(layout.Left(i), y, layout.side, column.verdict,
                                 {0.5, column.verdict_color, false});
+    if (!column.note.empty())
+      line =
+          canvas.Paragraph(layout.Left(i), line, layout.side, column.note, {0.42, kDoubt, false});
     for (const auto& figure : column.figures)
       line = canvas.Text(layout.Left(i), line, figure, kBody);
     bottom = std::max(bottom, line);

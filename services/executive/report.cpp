@@ -44,6 +44,7 @@ json SearchJson(const SearchRecord& search) {
                  {"converged", search.converged},
                  {"table", search.table},
                  {"seconds", search.seconds}};
+  if (!search.note.empty()) result["note"] = search.note;
   for (const auto& step : search.steps) result["plan"].push_back(step.name);
   for (const auto& other : search.others) result["others"].push_back(FutureJson(other));
   return result;
@@ -91,6 +92,19 @@ std::string ConfidenceLines(const EpisodeRecord& record) {
   return text + record.confidence->table;
 }
 
+json NoveltyJson(const Familiarity& familiarity) {
+  const model::Novelty& novelty = familiarity.novelty;
+  return {{"p", novelty.p},
+          {"level", familiarity.level},
+          {"unlike", familiarity.foreign()},
+          {"error", novelty.error},
+          {"error_limit", novelty.error_limit},
+          {"residual", novelty.residual},
+          {"residual_limit", novelty.residual_limit},
+          {"state", novelty.state},
+          {"state_limit", novelty.state_limit}};
+}
+
 json ActJson(const ActRecord& act) {
   return {{"action", act.action},
           {"name", act.name},
@@ -126,6 +140,7 @@ std::vector<TableRow> TableRows(const EpisodeRecord& record) {
     row.imagined.action = record.acts[i].action;
     row.imagined.name = record.acts[i].name;
     row.observed = record.acts[i].observed;
+    if (i < record.searches.size()) row.note = record.searches[i].note;
     rows.push_back(row);
   }
   // What was imagined and not carried out: all that a refusal looked at, or what an untimely end
@@ -151,7 +166,10 @@ std::string VerdictSentence(const EpisodeRecord& record) {
 std::string PlanTable(const EpisodeRecord& record) {
   std::string text =
       "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
-  for (const auto& row : TableRows(record)) text += FormatRow(row);
+  for (const auto& row : TableRows(record)) {
+    if (!row.note.empty()) text += "      " + row.note + '\n';
+    text += FormatRow(row);
+  }
   text += VerdictSentence(record) + '\n';
   for (const auto& atom : record.goal)
     text += (&atom == &record.goal.front() ? "Goal: " : ", ") + atom;
@@ -199,6 +217,7 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   if (record.explanation && record.explanation->what_if)
     result["what_if"] = WhatIfJson(*record.explanation->what_if);
   if (record.confidence) result["confidence"] = ConfidenceJson(*record.confidence);
+  if (record.familiarity) result["novelty"] = NoveltyJson(*record.familiarity);
   return result.dump(2) + '\n';
 }
 

@@ -31,6 +31,7 @@ struct TableRow {
   StepRecord imagined;
   bool searched = false;  // false under the policies that search nothing
   std::string observed;   // empty: not carried out
+  std::string note{};     // what was not as usual about the search before it; empty: nothing
 };
 std::vector<TableRow> TableRows(const EpisodeRecord& record);
 

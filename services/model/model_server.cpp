@@ -87,7 +87,9 @@ void ModelServer::Admit(const search_root_t& root) {
   Active active;
   active.root = root;
   active.heard_ms = SteadyMs();
-  active.memory = std::make_unique<SearchMemory>(engine_, RulesFromTask(*task_), ExecutedFrom(root),
+  planner::TaskRules rules = RulesFromTask(*task_);
+  rules.plan_length = PlanLengthOf(*task_, root);
+  active.memory = std::make_unique<SearchMemory>(engine_, std::move(rules), ExecutedFrom(root),
                                                  options_.cache_bytes);
   searches_.push_front(std::move(active));
   if (searches_.size() > kMostSearches) searches_.pop_back();
@@ -123,11 +125,11 @@ void ModelServer::OnStop(const search_stop_t& stop) {
 
 // Empty when the request may wait for its turn.
 std::string ModelServer::Defect(const expand_request_t& request, Active* active) const {
+  if (!engine_.info().judges) return model::kPicturesOnly;
   if (request.weights_hash != 0 &&
       request.weights_hash != static_cast<std::int64_t>(engine_.weights_hash())) {
     return "other weights are loaded";
   }
-  if (!engine_.info().judges) return model::kPicturesOnly;
   for (const auto& path : request.paths) {
     if (!active->memory->Legal(path.actions))
       return "path " + planner::ToString(path.actions) + " is against the rules";

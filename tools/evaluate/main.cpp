@@ -46,6 +46,7 @@ struct Options {
   int scenes = 100;
   ScenesWanted wanted;
   int retries = 1;
+  double surprise = 0.31;
   std::uint64_t seed = 2'000'000;
   sim::TaskOptions world;
   ShiftOptions shift;
@@ -99,6 +100,12 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--retries", o->retries,
                   "Times a plan that is lost may be begun anew, where the task allows it")
       ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  app->add_option(
+         "--surprise", o->surprise,
+         "A plan is lost where a patch of the picture differs more than this from what was "
+         "imagined")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app->add_option("--threshold", o->threshold,
                   "Plan score below which to refuse; negative: the weights' own")
@@ -206,15 +213,17 @@ class Bench {
   std::unique_ptr<Decider> Make(const std::string& row, const planner::SearchParameters& search) {
     const Goal& goal = options_.goal;
     const int retries = options_.retries;
+    const double surprise = options_.surprise;
     if (row == "planner")
-      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries));
+      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries, surprise));
     if (const std::optional<int> samples = SamplesOf(row)) {
       planner::SearchParameters other = search;
       other.samples = *samples;
-      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries));
+      return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries, surprise));
     }
     if (row == "exhaustive")
-      return Gated(MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries));
+      return Gated(
+          MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries, surprise));
     if (row == "greedy") return Gated(MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal));
     if (row == "simulator_model") return MakeSimulatorModel(search, goal, retries);
     if (row == "random") return MakeRandom(goal);
@@ -231,9 +240,10 @@ class Bench {
   static json ToJson(const EpisodeRecord& record) {
     return {{"ending", ToString(record.ending)}, {"reason", record.reason},
             {"actions", record.actions},         {"score", record.first_score},
-            {"scores", record.scores},           {"begun_anew", record.begun_anew},
-            {"carried_on", record.carried_on},   {"evaluations", record.evaluations},
-            {"rollouts", record.rollouts},       {"seconds", record.seconds_per_plan}};
+            {"scores", record.scores},           {"surprises", record.surprises},
+            {"begun_anew", record.begun_anew},   {"carried_on", record.carried_on},
+            {"evaluations", record.evaluations}, {"rollouts", record.rollouts},
+            {"seconds", record.seconds_per_plan}};
   }
 
   Options options_;
