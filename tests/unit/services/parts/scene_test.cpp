@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lcmtypes/validate.h"
 #include "services/binding/task_messages.h"
 #include "sim/rollout.h"
 #include "sim/sensor_noise.h"
@@ -99,6 +100,26 @@ TEST(SceneTest, StackingSpeaksTheSameMessages) {
   EXPECT_THROW(scene.Reset(kSeed, 0, 10), std::invalid_argument);
   EXPECT_EQ(scene.task().plan_length, 18) << "a refused reset leaves the scene as it was";
   ASSERT_EQ(scene.Start(2), "");
+}
+
+// Gestures are numbered as in JIGSAWS, less one; those that suturing does not have are never legal.
+TEST(SceneTest, SuturingSpeaksTheSameMessages) {
+  Scene scene("suturing", {}, kSeed);
+  EXPECT_EQ(messages::Validate(scene.task()), "");
+  EXPECT_EQ(messages::Validate(scene.observation()), "");
+  EXPECT_EQ(messages::Validate(scene.label()), "");
+  EXPECT_EQ(scene.task().num_actions, 15);
+  EXPECT_EQ(scene.observation().width, 128);
+  EXPECT_EQ(scene.observation().height, 96);
+  EXPECT_EQ(scene.label().present[0], 1);
+  EXPECT_EQ(scene.label().present[6], 0);
+  for (const int action : {1, 6, 14, 15}) EXPECT_NE(scene.Start(action), "") << action;
+  ASSERT_EQ(scene.Start(0), "");
+  while (scene.running()) scene.Tick();
+  EXPECT_EQ(scene.label().segment_end, 1);
+  EXPECT_EQ(scene.label().action, 0);
+  EXPECT_EQ(messages::Validate(scene.label()), "");
+  ASSERT_EQ(scene.Start(4), "");
 }
 
 }  // namespace
