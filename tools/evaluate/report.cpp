@@ -1,6 +1,7 @@
 #include "tools/evaluate/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -73,6 +74,42 @@ void PutPlanner(json* out, const Scenes& solvable, const Scenes& hopeless) {
   }
 }
 
+// By how much more often the planner solves than `row` does, scene by scene, with the normal 95 %
+// interval of paired differences.
+void PutDifference(json* out, const std::string& row, const Scenes& scenes) {
+  double sum = 0, squares = 0;
+  for (const SceneRecord* scene : scenes) {
+    const auto solved = [&](const std::string& name) {
+      return (*scene)["rows"][name]["ending"] == "solved" ? 1 : 0;
+    };
+    const double difference = solved("planner") - solved(row);
+    sum += difference;
+    squares += difference * difference;
+  }
+  const double n = std::max<double>(1, static_cast<double>(scenes.size()));
+  const double mean = sum / n;
+  const double half = 1.96 * std::sqrt(std::max(0.0, squares / n - mean * mean) / n);
+  (*out)["planner_minus_" + row] = mean;
+  (*out)["planner_minus_" + row + "_interval"] = {mean - half, mean + half};
+}
+
+// Of the episodes whose plan was lost on the way, those that the oracle could still finish, and of
+// these the finished ones.
+void PutLost(json* out, const std::vector<SceneRecord>& scenes) {
+  int lost = 0, recoverable = 0, finished = 0;
+  for (const SceneRecord& scene : scenes) {
+    const json& planner = scene["rows"]["planner"];
+    if (!planner.contains("lost")) continue;
+    ++lost;
+    if (planner["lost"]["anew"] != "solvable") continue;
+    ++recoverable;
+    finished += planner["ending"] == "solved";
+  }
+  (*out)["lost"] = lost;
+  PutShare(out, "lost_finished", finished, recoverable);
+  (*out)["lost_recoverable"] = recoverable;
+}
+
 }  // namespace
 
 json Summarise(const std::vector<SceneRecord>& scenes, const std::vector<std::string>& rows) {
@@ -88,7 +125,9 @@ json Summarise(const std::vector<SceneRecord>& scenes, const std::vector<std::st
     if (row == "planner") continue;
     PutShare(&out, row + "_solved_solvable", CountEnding(solvable, row, "solved"),
              static_cast<int>(solvable.size()));
+    PutDifference(&out, row, solvable);
   }
+  PutLost(&out, scenes);
   const std::vector<double> seconds = PlanSeconds(scenes, "planner");
   out["seconds_per_plan_p50"] = Quantile(seconds, 0.5);
   out["seconds_per_plan_p95"] = Quantile(seconds, 0.95);
@@ -119,7 +158,22 @@ std::string Table(const json& summary, const std::vector<std::string>& rows) {
     add((std::string("planner, hopeless: ") + ending).c_str(), std::string(ending) + "_hopeless");
   }
   for (const std::string& row : rows) {
-    if (row != "planner") add((row + ", solvable: solved").c_str(), row + "_solved_solvable");
+    if (row == "planner") continue;
+    add((row + ", solvable: solved").c_str(), row + "_solved_solvable");
+    const std::string key = "planner_minus_" + row;
+    std::snprintf(line, sizeof line, "  %-34s %+5.1f     [%+5.1f, %+5.1f]\n",
+                  "  planner less that, paired", 100 * summary[key].get<double>(),
+                  100 * summary[key + "_interval"][0].get<double>(),
+                  100 * summary[key + "_interval"][1].get<double>());
+    text += line;
+  }
+  if (summary["lost"] > 0) {
+    std::snprintf(line, sizeof line,
+                  "  plans lost on the way: %d; the oracle could still finish %d, the planner "
+                  "finished %d of these\n",
+                  summary["lost"].get<int>(), summary["lost_recoverable"].get<int>(),
+                  summary["lost_finished_count"].get<int>());
+    text += line;
   }
   std::snprintf(
       line, sizeof line,

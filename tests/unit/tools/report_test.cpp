@@ -46,6 +46,31 @@ TEST(Summarise, LeavesOutScenesSolvedAtTheStart) {
   EXPECT_DOUBLE_EQ(s["solved_solvable"], 0.0);
 }
 
+// Two of four scenes differ, both the same way: mean 0.5, variance 0.25.
+TEST(Summarise, ComparesRowsSceneByScene) {
+  const std::vector<SceneRecord> scenes = {
+      Scene("solvable", "solved", "failed", 1.0), Scene("solvable", "solved", "failed", 1.0),
+      Scene("solvable", "solved", "solved", 1.0), Scene("solvable", "failed", "failed", 1.0),
+      Scene("hopeless", "refused", "failed", 0.0)};
+  const nlohmann::json s = Summarise(scenes, {"planner", "random"});
+  EXPECT_DOUBLE_EQ(s["planner_minus_random"], 0.5);
+  EXPECT_NEAR(s["planner_minus_random_interval"][0].get<double>(), 0.5 - 1.96 * 0.25, 1e-12);
+}
+
+TEST(Summarise, CountsLostPlansThatCouldStillBeFinished) {
+  std::vector<SceneRecord> scenes(4, Scene("solvable", "solved", "failed", 1.0));
+  scenes.push_back(Scene("doubtful", "failed", "failed", 0.4));
+  for (const int i : {1, 2, 4})
+    scenes[i]["rows"]["planner"]["lost"] = {{"anew", i == 2 ? "hopeless" : "solvable"}};
+  const nlohmann::json s = Summarise(scenes, {"planner", "random"});
+  EXPECT_EQ(s["lost"], 3);
+  EXPECT_EQ(s["lost_recoverable"], 2);
+  EXPECT_EQ(s["lost_finished_count"], 1);
+  EXPECT_DOUBLE_EQ(s["lost_finished"], 0.5);
+  EXPECT_NE(Table(s, {"planner"}).find("could still finish 2, the planner finished 1"),
+            std::string::npos);
+}
+
 TEST(Table, SaysWhatTheSummarySays) {
   const nlohmann::json s =
       Summarise({Scene("solvable", "solved", "failed", 1.0)}, {"planner", "random"});
