@@ -94,6 +94,11 @@ int Main(int argc, char** argv) {
             << ", residual's distance below " << limits.residual_limit << ", hidden state's below "
             << limits.state_limit << "; from " << source.fitted << " + " << source.ranked
             << " scenes, stored in " << options.weights << "\n";
+  const double least = 2.0 / (source.ranked + 1);
+  if (least >= model::kNoveltyLevel) {
+    std::cerr << "prospect-calibrate-novelty: with so few scenes no picture gets a p-value below "
+              << least << ", so none is refused by default: take 500 or more\n";
+  }
   return 0;
 }
 
