@@ -55,13 +55,15 @@ void ForeignRollouts::GiveUp(std::uint64_t writer, PathId id) {
   if (waiting != waiting_.end() && waiting->second == writer) waiting_.erase(waiting);
 }
 
-void ForeignRollouts::Answer(PathId id) {
+std::uint64_t ForeignRollouts::Answer(PathId id) {
   const auto waiting = waiting_.find(id);
-  if (waiting == waiting_.end()) return;
-  for (Rollout& rollout : rollouts_[waiting->second]) {
+  if (waiting == waiting_.end()) return 0;
+  const std::uint64_t writer = waiting->second;
+  for (Rollout& rollout : rollouts_[writer]) {
     if (rollout.leaf == id) rollout.answered = true;
   }
   waiting_.erase(waiting);
+  return writer;
 }
 
 void ForeignRollouts::Forget(std::int64_t oldest_us) {

@@ -28,8 +28,8 @@ class ForeignRollouts {
   void Hear(std::uint64_t writer, PathId id, bool answered, std::int64_t now_us);
   // The rollout of `writer` that waits at `id`, if there is one, is given up: it counts no more.
   void GiveUp(std::uint64_t writer, PathId id);
-  // The evaluation of `id` came.
-  void Answer(PathId id);
+  // The evaluation of `id` came. Returns the writer whose rollout waited for it, or 0.
+  std::uint64_t Answer(PathId id);
   // Rollouts last heard of before `oldest_us` are followed no further; those that were never
   // answered count no more.
   void Forget(std::int64_t oldest_us);

@@ -76,8 +76,7 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       settlement_(parameters_.stop_when_proven, parameters_.stop_when_stable),
       children_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index)),
                 parameters_.seed),
-      foreign_(&paths_, &statistics_),
-      tie_seed_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index))) {
+      foreign_(&paths_, &statistics_) {
   if (!PathTree(rules_.num_actions).Valid(executed_)) {
     throw std::invalid_argument("executed actions are not of this task: " + ToString(executed_));
   }
@@ -96,7 +95,7 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
   if (stored == Stored::kReplaced) children_.Forget(id);
   if (NodeOf(id).pending == Pending::kOwn) ++own_evaluations_;
   SetPending(id, Pending::kNo, 0);
-  foreign_.Answer(id);
+  NoteEnded(id, foreign_.Answer(id));
   UpdateExhausted(id);
   if (stored == Stored::kNew) return Delivery::kNew;
   return stored == Stored::kReplaced ? Delivery::kReplaced : Delivery::kDuplicate;
@@ -109,7 +108,10 @@ void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us,
     if (path.size() > kMaxPathLength || !rules_.Legal(executed_, path)) continue;
     const PathId id = paths_.Add(path);
     const bool answered = evaluations_.Has(id);
-    if (writer != 0) foreign_.Hear(writer, id, answered, now_us);
+    if (writer != 0) {
+      foreign_.Hear(writer, id, answered, now_us);
+      NoteBegun(writer);
+    }
     if (answered) continue;
     if (NodeOf(id).pending == Pending::kOwn) {
       if (writer != 0) OneStays(writer, id);
@@ -117,6 +119,24 @@ void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us,
     }
     SetPending(id, Pending::kForeign, now_us);
   }
+}
+
+// `writer` waited for what was just answered. If its rollout ends there, it begins another now.
+void Search::NoteEnded(PathId id, std::uint64_t writer) {
+  double value = 0;
+  if (writer != 0 && advanced_ && EndsHere(id, &value)) freed_.push_back(writer);
+}
+
+void Search::NoteBegun(std::uint64_t writer) {
+  const auto freed = std::find(freed_.begin(), freed_.end(), writer);
+  if (freed != freed_.end()) freed_.erase(freed);
+}
+
+// One answer frees many workers at once, which all choose from the same numbers. They would all go
+// the same way, so they take turns: by id, as far as they know of each other.
+std::int64_t Search::OthersBefore() const {
+  return std::count_if(freed_.begin(), freed_.end(),
+                       [this](std::uint64_t writer) { return writer < identity_.writer; });
 }
 
 // This worker and another wait for one path: the same rollout would count twice.
@@ -168,6 +188,7 @@ std::vector<Path> Search::Advance(int max_new_leaves, std::int64_t now_us) {
   const int most = max_new_leaves + ResumeRollouts(now_us, &requests);
   const int asked = StartRollouts(most, now_us, &requests);
   AskWarmPaths(most - asked, now_us, &requests);
+  freed_.clear();
   return requests;
 }
 
@@ -176,7 +197,7 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
   std::size_t kept = 0;
   for (PathId at : rollouts_) {
     double value = 0;
-    if (Walk(&at, &value) == Walked::kEnded) {
+    if (Walk(0, &at, &value) == Walked::kEnded) {
       BackUp(at, value);
     } else if (!Request(at, now_us, requests) && NodeOf(at).pending != Pending::kOwn) {
       GiveUp(at);  // somebody else's rollout waits there, or no more evaluations are allowed
@@ -199,7 +220,7 @@ int Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<P
     PathId at = kRoot;
     double value = 0;
     statistics_.Begin(at);
-    if (Walk(&at, &value) == Walked::kEnded) {
+    if (Walk(OthersBefore(), &at, &value) == Walked::kEnded) {
       BackUp(at, value);
       Absorb();
     } else if (Request(at, now_us, requests)) {

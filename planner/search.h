@@ -164,15 +164,14 @@ class Search {
   bool Permitted(PathId id, int action) const;
   void ListChildren(PathId id);
   double QOf(PathId id, int action) const;
-  PathId SelectChild(PathId id);
+  PathId SelectChild(PathId id, std::int64_t* before);
   ParentView ViewOf(PathId id, const ChildLists::List& list) const;
   void ViewChildren(PathId id, ChildEntry* entries, int count);
-  int Best(const ChildEntry* entries, int count) const;
-  void LetOthersChooseFirst(PathId id, const ChildLists::List& list, const ParentView& parent);
+  int Best(const ParentView& parent, const ChildEntry* entries, int count);
   std::int64_t InFlightOfOthers(PathId id) const;
   std::int64_t AskedElsewhere(PathId id) const;
   std::int64_t VisitedElsewhere(PathId id, const PathTotals& totals) const;
-  Walked Walk(PathId* at, double* value);
+  Walked Walk(std::int64_t before, PathId* at, double* value);
   void BackUp(PathId leaf, double value);
   void GiveUp(PathId leaf);
   void Absorb();
@@ -183,6 +182,9 @@ class Search {
   // Many rollouts: search.cpp.
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
   int StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  std::int64_t OthersBefore() const;
+  void NoteEnded(PathId id, std::uint64_t writer);
+  void NoteBegun(std::uint64_t writer);
   void OneStays(std::uint64_t writer, PathId id);
   void LeaveTo(PathId id);
   void AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests);
@@ -209,13 +211,14 @@ class Search {
   Settlement settlement_;
   ChildLists children_;
   ForeignRollouts foreign_;
-  std::uint64_t tie_seed_;
+  std::vector<std::uint64_t> freed_;   // writers whose rollouts ended since the last Advance
   std::vector<Node> nodes_;            // by path id
   std::vector<std::uint8_t> allowed_;  // allowed actions of all nodes, one after the other
   std::vector<PathId> rollouts_;       // own rollouts in flight: the path each waits for
   std::vector<PathId> given_up_;       // scratch of StartRollouts
   std::vector<ChildView> views_;       // scratch of SelectChild
   std::vector<double> scores_;         // scratch of SelectChild
+  std::vector<std::int64_t> taken_;    // scratch of SelectChild
   std::vector<PathId> warm_order_;     // to have evaluated, most wanted last
   std::vector<double> warm_q_;         // by path id: hint for Q, below 0 where there is none
   std::int64_t own_evaluations_ = 0;

@@ -63,22 +63,31 @@ double Search::QOf(PathId id, int action) const {
 }
 
 // SAMPLE: the best permitted child, or kNoPath. Exhausted children come last where they are to be
-// skipped.
-PathId Search::SelectChild(PathId id) {
+// skipped. `before`: others that choose here just before this rollout, of whom nothing was heard
+// yet; in the end, those of them that went the same way.
+PathId Search::SelectChild(PathId id, std::int64_t* before) {
   ListChildren(id);
   const ChildLists::List list = children_.Of(id);
   if (list.count == 0) return kNoPath;
   ChildEntry* entries = children_.Entries(list);
   ViewChildren(id, entries, list.count);
-  const ParentView parent = ViewOf(id, list);
-  if (statistics_.live_writers() > 1) LetOthersChooseFirst(id, list, parent);
-  rule_->ScoreAll(parent, views_.data(), list.count, scores_.data());
-  ChildEntry& chosen = entries[Best(entries, list.count)];
+  ParentView parent = ViewOf(id, list);
+  if (*before > 0) taken_.assign(list.count, 0);
+  for (std::int64_t i = 0; i < *before; ++i) {
+    const int other = Best(parent, entries, list.count);
+    ++views_[other].in_flight;
+    ++parent.in_flight;
+    ++taken_[other];
+  }
+  const int best = Best(parent, entries, list.count);
+  if (*before > 0) *before = taken_[best];
+  ChildEntry& chosen = entries[best];
   if (chosen.id == kNoPath) chosen.id = paths_.Add(id, chosen.action);
   return chosen.id;
 }
 
-int Search::Best(const ChildEntry* entries, int count) const {
+int Search::Best(const ParentView& parent, const ChildEntry* entries, int count) {
+  rule_->ScoreAll(parent, views_.data(), count, scores_.data());
   const bool skip = parameters_.skip_exhausted;
   int best = 0;
   for (int i = 1; i < count; ++i) {
@@ -124,25 +133,6 @@ void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
   }
 }
 
-// Rollouts of other workers that are at this node, but at none of its children yet, are about to
-// choose as this one is, from the same numbers: all would go the same way. As if a few of them, by
-// a hash of the worker, had chosen before. Workers that knew of each other would go the same ways.
-void Search::LetOthersChooseFirst(PathId id, const ChildLists::List& list,
-                                  const ParentView& parent) {
-  std::int64_t undecided = InFlightOfOthers(id);
-  const ChildEntry* entries = children_.Entries(list);
-  for (int i = 0; i < list.count && undecided > 0; ++i) {
-    undecided -= InFlightOfOthers(entries[i].id);
-  }
-  if (undecided <= 0) return;
-  const auto visits = static_cast<std::uint64_t>(parent.visits);
-  const std::uint64_t draw = HashCombine(HashCombine(tie_seed_, paths_.hash(id)), visits);
-  for (auto before = draw % static_cast<std::uint64_t>(undecided + 1); before > 0; --before) {
-    rule_->ScoreAll(parent, views_.data(), list.count, scores_.data());
-    ++views_[Best(entries, list.count)].in_flight;
-  }
-}
-
 // What their rows say and what was heard since.
 std::int64_t Search::InFlightOfOthers(PathId id) const {
   if (id == kNoPath) return 0;
@@ -162,11 +152,11 @@ std::int64_t Search::VisitedElsewhere(PathId id, const PathTotals& totals) const
 }
 
 // Walks on from `*at` as far as evaluations go. kEnded: `*value` is EVALUATE's result for the last
-// node.
-Search::Walked Search::Walk(PathId* at, double* value) {
+// node. `before`: as for SelectChild, at the first node.
+Search::Walked Search::Walk(std::int64_t before, PathId* at, double* value) {
   while (evaluations_.Has(*at)) {
     if (EndsHere(*at, value)) return Walked::kEnded;
-    const PathId child = SelectChild(*at);
+    const PathId child = SelectChild(*at, &before);
     if (child == kNoPath) {
       *value = 0;
       return Walked::kEnded;

@@ -191,12 +191,13 @@ bool SharedStatistics::Announce(std::uint64_t writer, PathId leaf, PathId above,
   return true;
 }
 
-// What was announced beside `before` and is not in `row`.
-std::int32_t SharedStatistics::NotCovered(const Row& before, const Row& row) {
+// What was known beside N of `before` and is not in `row`. A relayed row says nothing of visits in
+// flight, which go on.
+std::int32_t SharedStatistics::NotCovered(const Row& before, const Row& row, bool live) {
   if (row.direct) return 0;
-  const std::int64_t covered = row.visits + row.in_flight - before.visits - before.in_flight;
-  const std::int64_t left = before.announced - covered;
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(left, 0, before.announced));
+  const std::int64_t beside = before.announced + (live ? before.in_flight : 0);
+  const std::int64_t left = beside - (row.visits - before.visits);
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(left, 0, beside));
 }
 
 // --- merging
@@ -290,7 +291,7 @@ bool SharedStatistics::ReplaceRow(int writer, PathId id, const Row& fresh) {
   const Row before = row;
   row = fresh;
   row.known = before.known;
-  row.announced = NotCovered(before, row);
+  row.announced = NotCovered(before, row, writers_[writer].live);
   row.digest = RowDigest(row, id);
   NoteKnown(writer, id, &row);
   writers_[writer].digest += row.digest - before.digest;

@@ -187,7 +187,7 @@ class SharedStatistics {
   bool AcceptBatch(const StatisticsBatch& batch);
   void NoteHeard(const StatisticsBatch& batch, std::int64_t now_us);
   bool Sound(const StatisticsRow& row);
-  static std::int32_t NotCovered(const Row& before, const Row& row);
+  static std::int32_t NotCovered(const Row& before, const Row& row, bool live);
   bool MergeRow(const StatisticsRow& row, int writer, bool direct);
   bool ReplaceRow(int writer, PathId id, const Row& fresh);
   float BestOverWriters(PathId id) const;

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <set>
+#include <vector>
 
 #include "planner/model_source.h"
 #include "planner/scripted_model.h"
@@ -148,6 +151,36 @@ TEST(Collisions, OfTwoThatAskForOnePathOneGoesElsewhere) {
   high.NoteRequested({{}}, 0, 1);
   EXPECT_EQ(low.waiting(), 1);
   EXPECT_EQ(high.waiting(), 0);
+}
+
+// One answer ends the rollouts of three workers; none has heard of the others' next ones.
+TEST(Collisions, WorkersFreedTogetherGoDifferentWays) {
+  ScriptedModel model({8, 3, 0.0, 0.0, 0.0});
+  std::vector<std::unique_ptr<Search>> workers;
+  for (int i = 0; i < 3; ++i) {
+    workers.push_back(
+        std::make_unique<Search>(AnyOrder(8, 1), SearchParameters{}, Path{}, Worker(i)));
+    workers[i]->Advance(0, 0);
+    workers[i]->Deliver({}, model.Evaluate({}), 0);
+  }
+  std::set<Path> asked;
+  for (auto& worker : workers) {
+    for (const Path& path : worker->Advance(1, 0)) {
+      asked.insert(path);
+      for (auto& other : workers) {
+        if (other != worker) other->NoteRequested({path}, 0, worker->statistics().writer());
+      }
+    }
+  }
+  ASSERT_EQ(asked.size(), 3u);
+  for (auto& worker : workers) {
+    for (const Path& path : asked) worker->Deliver(path, model.Evaluate(path), 0);
+  }
+  std::set<Path> next;
+  for (auto& worker : workers) {
+    for (const Path& path : worker->Advance(1, 0)) next.insert(path);
+  }
+  EXPECT_EQ(next.size(), 3u);
 }
 
 // --- warm start
