@@ -66,6 +66,21 @@ void End(Conversation& talk, const search_root_t& root) {
   talk.Say(stop);
 }
 
+/// Goes on as long as pictures come: a server on a busy machine paints one in half a second.
+std::map<planner::Path, Picture> FetchAll(PredictionInbox* inbox, const search_root_t& root,
+                                          const std::vector<planner::Path>& paths) {
+  std::map<planner::Path, Picture> pictures;
+  std::vector<planner::Path> missing = paths;
+  for (bool some = true; some && !missing.empty();) {
+    auto come = inbox->Fetch(root, missing);
+    some = !come.empty();
+    pictures.merge(come);
+    const auto here = [&](const planner::Path& path) { return pictures.count(path) > 0; };
+    missing.erase(std::remove_if(missing.begin(), missing.end(), here), missing.end());
+  }
+  return pictures;
+}
+
 }  // namespace
 
 std::map<planner::Path, Picture> AskForPictures(Conversation& talk, PredictionInbox* inbox,
@@ -81,7 +96,7 @@ std::map<planner::Path, Picture> AskForPictures(Conversation& talk, PredictionIn
     throw ExitError(kExitServiceLost,
                     "no model server took the pictures within 10 s; see its log, or ./prospect up");
   }
-  auto pictures = inbox->Fetch(root, question.paths);
+  auto pictures = FetchAll(inbox, root, question.paths);
   End(talk, root);
   return pictures;
 }
