@@ -77,11 +77,16 @@ Calibration From(const json& stored) {
   return calibration;
 }
 
+// What pictures are known (model/novelty.h) is measured on the networks, as the sample is: either
+// may be stored first.
+constexpr char kNoveltyPrefix[] = "novelty.";
+
 }  // namespace
 
 std::uint64_t TensorsHash(const WeightsFile& file) {
   std::uint64_t hash = HashText("tensors");
   for (const auto& [name, tensor] : file.tensors) {
+    if (name.rfind(kNoveltyPrefix, 0) == 0) continue;
     hash = HashText(name, hash);
     for (const std::int64_t extent : tensor.sizes()) hash = HashBytes(&extent, sizeof extent, hash);
     const torch::Tensor whole = tensor.to(torch::kHalf).contiguous();

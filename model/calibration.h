@@ -32,8 +32,8 @@ Calibration CalibrationOf(const WeightsFile& file, const std::string& path);
 /// The same of a file on disk.
 Calibration CalibrationOf(const std::string& path);
 
-/// Hash of names, shapes and values of the tensors as 16-bit floats, which is how they are written:
-/// equal for equal networks, whatever the metadata.
+/// Hash of names, shapes and values of the networks' tensors as 16-bit floats, which is how they
+/// are written: equal for equal networks, whatever the metadata.
 std::uint64_t TensorsHash(const WeightsFile& file);
 
 }  // namespace prospect::model

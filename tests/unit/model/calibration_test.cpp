@@ -96,6 +96,15 @@ TEST_F(CalibrationFile, OfOtherTensorsIsRefused) {
   ExpectRefused("was made for other weights");
 }
 
+// What pictures are known lies in tensors of the same file, and may be stored later.
+TEST_F(CalibrationFile, StaysWhenWhatIsKnownOfPicturesIsStored) {
+  StoreCalibration(path_, Made());
+  WeightsFile file = ReadWeights(path_);
+  file.tensors["novelty.axes"] = torch::ones({2, 2});
+  WriteWeights(path_, file.tensors, file.metadata);
+  EXPECT_DOUBLE_EQ(CalibrationOf(path_).refusal_threshold, 0.25);
+}
+
 TEST_F(CalibrationFile, OldFilesHaveAThresholdAndNoSample) {
   Write({{"refusal_threshold", 0.31}, {"alpha", 0.05}, {"scenes", 70}, {"command", "old"}});
   const Calibration old = CalibrationOf(path_);
