@@ -63,7 +63,7 @@ int FirstTested(int attempts, double epsilon, double delta) {
   const int fewest = FewestThatCanPass(epsilon, delta);
   int n = fewest;
   while (n < kMostTested &&
-         BinomialAtMost(MostFailures(n, epsilon, delta), n, epsilon / 2) < kWantedPower)
+         BinomialAtMost(MostFailures(n, epsilon, delta), n, epsilon / 4) < kWantedPower)
     ++n;
   return std::max(fewest, std::min(n, attempts / 2));
 }
@@ -71,17 +71,19 @@ int FirstTested(int attempts, double epsilon, double delta) {
 ThresholdBound FailAtMost(const CalibrationSample& sample, double epsilon, double delta) {
   const std::vector<CalibrationScene> attempts = Attempts(sample);
   const int all = static_cast<int>(attempts.size());
-  const int first = FirstTested(all, epsilon, delta);
+  const double level = delta / 2;  // of each sequence
+  const int first = FirstTested(all, epsilon, level);
   ThresholdBound bound;
+  bool going = true;
   int failures = 0;
   for (int n = 1; n <= all; ++n) {
     const CalibrationScene& last = attempts[static_cast<std::size_t>(n - 1)];
     failures += last.ending == SceneEnding::kFailed;
     // Equal scores are attempted together.
     const bool tied = n < all && attempts[static_cast<std::size_t>(n)].score == last.score;
-    if (n < first || tied) continue;
-    if (BinomialAtMost(failures, n, epsilon) > delta) break;
-    bound = {true, n == all ? 0 : last.score, n, failures};
+    if (n < first || tied || (!going && n < all)) continue;
+    going = BinomialAtMost(failures, n, epsilon) <= level;
+    if (going) bound = {true, n == all ? 0 : last.score, n, failures};
   }
   return bound;
 }

@@ -22,18 +22,20 @@ struct ThresholdBound {
 ThresholdBound RefuseAtMost(const CalibrationSample& sample, double alpha);
 
 /// "Do not fail what you attempt": the lowest threshold with P(fail | attempt) <= epsilon, by learn
-/// then test (Angelopoulos et al. 2021): thresholds are tested in a fixed order from strict to
-/// lenient, each by the exact binomial p-value of "the share that fails is above epsilon", until
-/// one is not rejected at level delta; so with probability 1 - delta over the sample the share is
-/// at most epsilon, as long as it does not rise with the score. The order is by number of scenes
-/// attempted, from FirstTested on. Stopped episodes are attempts and no failures. Not kept where
-/// the first test is not passed.
+/// then test (Angelopoulos et al. 2021): thresholds are tested by the exact binomial p-value of
+/// "the share that fails is above epsilon", in two sequences of fixed order at level delta / 2
+/// each. One goes from strict to lenient by number of scenes attempted, from FirstTested on, until
+/// a test is not passed; the other is the one test of attempting all, for scores that do not rank
+/// what may go wrong. The most lenient threshold that passed is taken: with probability 1 - delta
+/// over the sample the share is at most epsilon, as long as it does not rise with the score.
+/// Stopped episodes are attempts and no failures. Not kept where no test is passed.
 /// @param epsilon, delta in (0, 1)
 ThresholdBound FailAtMost(const CalibrationSample& sample, double epsilon, double delta);
 
-/// Attempts in the first test: enough for a planner that fails at half of epsilon to pass it nine
-/// times of ten, but at most half of all `attempts` unless fewer could not pass without a failure.
-/// A function of the numbers alone, so that it does not look at what it tests.
+/// Attempts in the first test of the first sequence, which has level `delta`: enough for a planner
+/// that fails at a quarter of epsilon to pass it nine times of ten, but at most half of all
+/// `attempts` unless fewer could not pass without a failure. A function of the numbers alone, so
+/// that it does not look at what it tests.
 int FirstTested(int attempts, double epsilon, double delta);
 
 }  // namespace prospect::model

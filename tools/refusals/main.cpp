@@ -23,7 +23,8 @@ using nlohmann::json;
 struct Options {
   std::vector<std::string> weights, reports;
   std::string json_file, plot_file;
-  RefusalOptions measure;
+  RefusalOptions measure;                                 // of all
+  std::vector<double> alphas = {0.05}, epsilons = {0.1};  // one for all, or one a file
 };
 
 void AddOptions(CLI::App* app, Options* o) {
@@ -39,12 +40,14 @@ void AddOptions(CLI::App* app, Options* o) {
       ->capture_default_str();
   app->add_option("--seed", o->measure.seed, "Of the first split; the others count on")
       ->capture_default_str();
-  app->add_option("--alpha,--refuse-at-most", o->measure.alpha,
-                  "Share of solvable scenes that may be refused")
+  app->add_option("--alpha,--refuse-at-most", o->alphas,
+                  "Share of solvable scenes that may be refused; one for all, or one a file")
+      ->delimiter(',')
       ->check(share)
       ->capture_default_str();
-  app->add_option("--epsilon,--fail-at-most", o->measure.epsilon,
-                  "Share of attempted scenes that may fail")
+  app->add_option("--epsilon,--fail-at-most", o->epsilons,
+                  "Share of attempted scenes that may fail; one for all, or one a file")
+      ->delimiter(',')
       ->check(share)
       ->capture_default_str();
   app->add_option("--delta", o->measure.delta,
@@ -79,6 +82,14 @@ Named FromReport(const std::string& path) try {
   throw model::DataError(path + ": is no report of prospect-evaluate (" + error.what() + ")");
 }
 
+// The target of file i of `files`.
+double Of(const std::vector<double>& targets, std::size_t i, std::size_t files) {
+  if (targets.size() != 1 && targets.size() != files)
+    throw std::invalid_argument("give one --alpha and --epsilon, or one for each of " +
+                                std::to_string(files) + " files");
+  return targets[targets.size() == 1 ? 0 : i];
+}
+
 int Main(int argc, char** argv) {
   Options options;
   CLI::App app("Whether the promises about refusals hold over random calibration splits");
@@ -94,7 +105,10 @@ int Main(int argc, char** argv) {
   for (const std::string& path : options.weights) samples.push_back(FromWeights(path));
   for (const std::string& path : options.reports) samples.push_back(FromReport(path));
   std::vector<json> figures;
-  for (const Named& named : samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Named& named = samples[i];
+    options.measure.alpha = Of(options.alphas, i, samples.size());
+    options.measure.epsilon = Of(options.epsilons, i, samples.size());
     figures.push_back(MeasureRefusals(named.sample, named.task, options.measure));
     std::cout << RefusalTable(figures.back()) << model::CurveTable(named.sample);
   }

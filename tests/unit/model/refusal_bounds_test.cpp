@@ -113,25 +113,38 @@ CalibrationSample GoodAboveBad(int good, int bad) {
 
 TEST(FailAtMost, StopsAtTheFirstTestThatIsNotPassed) {
   // With 22 of 22 solved p is 0.0985; with 23 and one failure it is 0.315.
-  const ThresholdBound bound = FailAtMost(GoodAboveBad(22, 18), 0.1, 0.1);
+  const ThresholdBound bound = FailAtMost(GoodAboveBad(22, 18), 0.1, 0.2);
   EXPECT_TRUE(bound.kept);
   EXPECT_DOUBLE_EQ(bound.value, 0.9 - 0.021);
   EXPECT_EQ(bound.scenes, 22);
   EXPECT_EQ(bound.count, 0);
-  EXPECT_FALSE(FailAtMost(GoodAboveBad(21, 19), 0.1, 0.1).kept);
+  EXPECT_FALSE(FailAtMost(GoodAboveBad(21, 19), 0.1, 0.2).kept);
 }
 
 TEST(FailAtMost, WhereEverythingPassesNothingIsRefused) {
-  const ThresholdBound bound = FailAtMost(GoodAboveBad(60, 0), 0.1, 0.1);
+  const ThresholdBound bound = FailAtMost(GoodAboveBad(60, 0), 0.1, 0.2);
   EXPECT_TRUE(bound.kept);
   EXPECT_EQ(bound.value, 0);
   EXPECT_EQ(bound.scenes, 60);
 }
 
+// The twenty best scores fail, and nothing else: no order of scores is passed, but all together
+// are.
+TEST(FailAtMost, ScoresThatDoNotRankWhatFailsAreTestedAsAWhole) {
+  std::vector<CalibrationScene> scenes;
+  for (int i = 0; i < 200; ++i) scenes.push_back(Scene(0.9 - 0.001 * i, 's', i < 20 ? 'F' : 'S'));
+  const ThresholdBound bound = FailAtMost(SampleOf(scenes), 0.2, 0.1);
+  EXPECT_TRUE(bound.kept);
+  EXPECT_EQ(bound.value, 0);
+  EXPECT_EQ(bound.scenes, 200);
+  EXPECT_EQ(bound.count, 20);
+  EXPECT_FALSE(FailAtMost(SampleOf(scenes), 0.12, 0.1).kept);  // p = 0.22
+}
+
 TEST(FailAtMost, MoreConfidenceTakesMoreScenes) {
-  EXPECT_TRUE(FailAtMost(GoodAboveBad(28, 12), 0.1, 0.1).kept);
-  EXPECT_FALSE(FailAtMost(GoodAboveBad(28, 12), 0.1, 0.05).kept);  // 0.9^28 = 0.0523
-  EXPECT_TRUE(FailAtMost(GoodAboveBad(29, 12), 0.1, 0.05).kept);
+  EXPECT_TRUE(FailAtMost(GoodAboveBad(28, 12), 0.1, 0.2).kept);
+  EXPECT_FALSE(FailAtMost(GoodAboveBad(28, 12), 0.1, 0.1).kept);  // 0.9^28 = 0.0523
+  EXPECT_TRUE(FailAtMost(GoodAboveBad(29, 12), 0.1, 0.1).kept);
 }
 
 TEST(FailAtMost, StoppedIsNoFailureAndRefusedNoAttempt) {
@@ -139,11 +152,11 @@ TEST(FailAtMost, StoppedIsNoFailureAndRefusedNoAttempt) {
   for (auto& scene : sample.scenes) {
     if (scene.ending == SceneEnding::kFailed) scene.ending = SceneEnding::kStopped;
   }
-  EXPECT_EQ(FailAtMost(sample, 0.1, 0.1).scenes, 40);
+  EXPECT_EQ(FailAtMost(sample, 0.1, 0.2).scenes, 40);
   for (auto& scene : sample.scenes) {
     if (scene.ending == SceneEnding::kStopped) scene.ending = SceneEnding::kRefused;
   }
-  EXPECT_EQ(FailAtMost(sample, 0.1, 0.1).scenes, 22);
+  EXPECT_EQ(FailAtMost(sample, 0.1, 0.2).scenes, 22);
 }
 
 TEST(FailAtMost, EqualScoresAreAttemptedTogether) {
@@ -151,7 +164,7 @@ TEST(FailAtMost, EqualScoresAreAttemptedTogether) {
   for (int i = 0; i < 30; ++i) scenes.push_back(Scene(0.9, 's', 'S'));
   for (int i = 0; i < 3; ++i) scenes.push_back(Scene(0.9, 's', 'F'));
   scenes.push_back(Scene(0.2, 's', 'F'));
-  EXPECT_FALSE(FailAtMost(SampleOf(scenes), 0.1, 0.1).kept);  // 3 of 33: p = 0.57
+  EXPECT_FALSE(FailAtMost(SampleOf(scenes), 0.1, 0.2).kept);  // 3 of 33: p = 0.57
 }
 
 // Scores are uniform, and a scene of score s fails with probability 0.4 (1 - s): above a threshold
