@@ -1,0 +1,281 @@
+#include "tools/collect/gesture_videos.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+
+#include "sim/sensor_noise.h"
+#include "sim/suturing/suturing_task.h"
+#include "tools/collect/avi_writer.h"
+#include "tools/collect/collector.h"
+#include "tools/collect/gesture_trial.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/progress.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr char kFolder[] = "Suturing";
+constexpr int kMostTrials = 39;
+constexpr int kMostAttempts = 50;
+constexpr std::uint64_t kLastSeed = 999'999;
+constexpr std::uint64_t kRightEyeNoise = 0x7269676874ULL;
+
+constexpr char kReadme[] =
+    "SIMULATED suturing trials, made by Prospect (./prospect collect --task suturing --format\n"
+    "jigsaws). Nothing here was recorded from a surgeon or a robot, and nothing is taken from the\n"
+    "JIGSAWS data set: only the names and the layout of its files are the same. Skill levels and\n"
+    "scores in the meta file are 0. See Suturing/simulated.json for how it was made.\n";
+
+// Where a trial's files are.
+class Places {
+ public:
+  explicit Places(const std::string& out) : root_(fs::path(out) / kFolder) {}
+
+  fs::path root() const { return root_; }
+  fs::path unfinished() const { return root_ / ".unfinished"; }
+  fs::path manifest() const { return root_ / "simulated.json"; }
+  fs::path meta() const { return root_ / "meta_file_Suturing.txt"; }
+  fs::path readme() const { return root_.parent_path() / "README.txt"; }
+  fs::path video(const std::string& trial, int eye) const {
+    return root_ / "video" / VideoName(trial, eye);
+  }
+  fs::path transcription(const std::string& trial) const {
+    return root_ / "transcriptions" / TextName(trial);
+  }
+  fs::path unfinished_video(const std::string& trial, int eye) const {
+    return unfinished() / VideoName(trial, eye);
+  }
+  fs::path unfinished_text(const std::string& trial) const {
+    return unfinished() / TextName(trial);
+  }
+
+ private:
+  static std::string VideoName(const std::string& trial, int eye) {
+    return "Suturing_" + trial + "_capture" + std::to_string(eye) + ".avi";
+  }
+  static std::string TextName(const std::string& trial) { return "Suturing_" + trial + ".txt"; }
+
+  fs::path root_;
+};
+
+void WriteText(const fs::path& path, const std::string& text) {
+  const fs::path part = path.string() + ".part";
+  std::ofstream file(part);
+  file << text << std::flush;
+  if (!file) throw std::runtime_error("cannot write " + path.string() + ": is the disk full?");
+  file.close();
+  fs::rename(part, path);
+}
+
+void CheckOptions(const GestureVideoOptions& options) {
+  if (options.trials < 1 || options.trials > kMostTrials) {
+    throw CollectUsageError("--trials is " + std::to_string(options.trials) +
+                            ": JIGSAWS has 39 suturing trials, give 1 to 39");
+  }
+  if (options.seed + options.trials - 1 > kLastSeed || options.seed > kLastSeed) {
+    throw CollectUsageError(
+        "seeds of trials must lie in 0 to 999,999, later ones are kept for "
+        "evaluation: give a smaller --seed");
+  }
+  if (options.width < 32 || options.width > 1920 || options.height < 24 || options.height > 1080) {
+    throw CollectUsageError("pictures are 32 to 1920 pixels wide and 24 to 1080 high");
+  }
+}
+
+// The surgeon of a trial: its user, B to I.
+int SurgeonOf(int i) { return GestureTrialName(i)[0] - 'B'; }
+
+sim::TaskOptions TaskOptionsOf(const GestureVideoOptions& options, int i) {
+  sim::TaskOptions task;
+  task.surgeon = SurgeonOf(i);
+  task.frames_per_second = options.frames_per_second;
+  task.image_noise = options.image_noise;
+  return task;
+}
+
+// What all trials of a folder have in common.
+json Manifest(const GestureVideoOptions& options) {
+  std::string world;
+  try {
+    world = sim::SuturingTask(TaskOptionsOf(options, 0)).spec().world_version;
+  } catch (const std::invalid_argument& error) {
+    throw CollectUsageError(error.what());
+  }
+  return {{"simulated", true},
+          {"world_version", world},
+          {"seed", options.seed},
+          {"frames_per_second", options.frames_per_second},
+          {"width", options.width},
+          {"height", options.height},
+          {"right_eye", options.right_eye},
+          {"failures", options.failures},
+          {"image_noise", options.image_noise}};
+}
+
+void Prepare(const GestureVideoOptions& options, const Places& places) {
+  const json manifest = Manifest(options);
+  if (fs::exists(places.manifest())) {
+    std::ifstream file(places.manifest());
+    if (json::parse(file, nullptr, false) != manifest) {
+      throw CollectUsageError(places.root().string() +
+                              " was begun with other options or another world: remove it");
+    }
+    if (!options.resume) {
+      throw CollectUsageError(places.root().string() +
+                              " holds trials of an earlier run: give --resume to go on with them, "
+                              "or remove the folder");
+    }
+  } else if (fs::exists(places.root()) && !fs::is_empty(places.root())) {
+    throw CollectUsageError(places.root().string() +
+                            " is there already and was not made by this program: give another "
+                            "--out");
+  }
+  std::error_code error;
+  for (const fs::path& folder :
+       {places.unfinished(), places.root() / "video", places.root() / "transcriptions"}) {
+    fs::create_directories(folder, error);
+    if (error) throw std::runtime_error("cannot write to " + folder.string());
+  }
+  WriteText(places.manifest(), manifest.dump(2) + "\n");
+  WriteText(places.readme(), kReadme);
+}
+
+// One trial's task, videos and their names.
+class TrialMaker {
+ public:
+  TrialMaker(const GestureVideoOptions& options, int i)
+      : options_(options),
+        places_(options.out),
+        name_(GestureTrialName(i)),
+        seed_(options.seed + static_cast<std::uint64_t>(i)),
+        task_(TaskOptionsOf(options, i)) {}
+
+  json Make() {
+    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+      const GestureTrial trial = FilmTrial(attempt);
+      if (!trial.reason.empty()) failures_.push_back(trial.reason);
+      if (!trial.reason.empty() && !options_.failures) continue;
+      GiveNames(trial);
+      return {{"kept", false}, {"frames", trial.frames}, {"failures", failures_}};
+    }
+    throw std::runtime_error("trial " + name_ + " failed " + std::to_string(kMostAttempts) +
+                             " times");
+  }
+
+ private:
+  GestureTrial FilmTrial(int attempt) {
+    videos_.clear();
+    for (int eye = 1; eye <= (options_.right_eye ? 2 : 1); ++eye) {
+      videos_.push_back(std::make_unique<AviWriter>(places_.unfinished_video(name_, eye).string(),
+                                                    options_.width, options_.height,
+                                                    options_.frames_per_second));
+    }
+    return PlayGestureTrial(&task_, seed_, attempt, [this](int frame) { Film(frame); });
+  }
+
+  void GiveNames(const GestureTrial& trial) {
+    for (const auto& video : videos_) video->Finish();
+    WriteText(places_.unfinished_text(name_), TranscriptionText(trial));
+    for (std::size_t i = 0; i < videos_.size(); ++i) {
+      const int eye = static_cast<int>(i) + 1;
+      fs::rename(places_.unfinished_video(name_, eye), places_.video(name_, eye));
+    }
+    fs::rename(places_.unfinished_text(name_), places_.transcription(name_));
+  }
+
+  void Film(int frame) {
+    for (std::size_t i = 0; i < videos_.size(); ++i) {
+      sim::Image image = i == 0 ? task_.Render(options_.width, options_.height)
+                                : task_.RenderRightEye(options_.width, options_.height);
+      const std::uint64_t noise = i == 0 ? seed_ : seed_ ^ kRightEyeNoise;
+      sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), noise, frame - 1,
+                          options_.image_noise);
+      videos_[i]->Write(image);
+    }
+  }
+
+  const GestureVideoOptions& options_;
+  Places places_;
+  std::string name_;
+  std::uint64_t seed_;
+  sim::SuturingTask task_;
+  std::vector<std::string> failures_;
+  std::vector<std::unique_ptr<AviWriter>> videos_;
+};
+
+// The frames of a trial that an earlier run finished; 0 if none did.
+int KeptFrames(const Places& places, const std::string& name) {
+  const fs::path video = places.video(name, 1);
+  const bool whole = fs::exists(places.transcription(name)) && fs::exists(video);
+  return whole ? FramesOfVideo(video.string()) : 0;
+}
+
+json MakeOrKeep(const GestureVideoOptions& options, int i) {
+  const int kept = KeptFrames(Places(options.out), GestureTrialName(i));
+  if (kept > 0) return {{"kept", true}, {"frames", kept}, {"failures", json::array()}};
+  return TrialMaker(options, i).Make();
+}
+
+void Add(const json& line, const GestureVideoOptions& options, GestureVideoSummary* summary) {
+  ++summary->trials;
+  summary->kept += line.at("kept").get<bool>();
+  const int frames = line.at("frames");
+  summary->frames += frames;
+  summary->simulated_seconds += static_cast<double>(frames) / options.frames_per_second;
+  for (const std::string reason : line.at("failures")) ++summary->failures[reason];
+}
+
+std::string MetaText(int trials) {
+  std::string text;
+  for (int i = 0; i < trials; ++i) {
+    text += "Suturing_" + GestureTrialName(i) + "\tSIMULATED\t0\t0\t0\t0\t0\t0\t0\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string GestureTrialName(int i) {
+  int left = i;
+  for (char user = 'B'; user <= 'I'; ++user) {
+    for (int trial = 1; trial <= 5; ++trial) {
+      if (user == 'H' && trial == 2) continue;
+      if (left-- == 0) return user + ("00" + std::to_string(trial));
+    }
+  }
+  throw std::out_of_range("there are 39 suturing trials");
+}
+
+GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
+  CheckOptions(options);
+  const Places places(options.out);
+  Prepare(options, places);
+  GestureVideoSummary summary;
+  Progress progress("trials", options.trials);
+  const auto start = std::chrono::steady_clock::now();
+  const auto make_worker = [&options] {
+    cv::setNumThreads(1);  // the processes share the work already
+    return [&options](int i) { return MakeOrKeep(options, i).dump(); };
+  };
+  ForkMap(options.trials, options.jobs, make_worker, [&](int, const std::string& line) {
+    Add(json::parse(line), options, &summary);
+    progress.Step();
+  });
+  WriteText(places.meta(), MetaText(options.trials));
+  fs::remove_all(places.unfinished());
+  summary.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace prospect::tools
