@@ -37,10 +37,12 @@ struct Axes {
   }
 };
 
-// The upright axis ends at the next twentieth above every point that stands on enough scenes.
+// The upright axis ends at the next twentieth above the promises and every point that stands on
+// enough scenes.
 double MostRisk(const std::vector<json>& all) {
   double most = 0.1;
   for (const json& figures : all) {
+    most = std::max(most, figures["fail"]["target"].get<double>());
     for (const json& point : figures["curve"]) {
       if (point["coverage"].get<double>() >= 0.05)
         most = std::max(most, point["risk"].get<double>());
@@ -117,14 +119,11 @@ int DrawPanel(Sheet* sheet, int x, int y, double most_risk, const json& figures)
                      kTickStyle);
   sheet->Centered(axes.X(0.5), axes.top + kPlotHeight + 20, "coverage: attempted of all scenes",
                   kTickStyle);
-  sheet->Text(axes.left + 8, axes.top + 8, Number("area %.3f", figures["area"]), kNoteStyle);
-  sheet->Text(
-      axes.left + 8, axes.top + 26,
-      Number("attempted at a risk of 5 %%: %.0f %%", 100 * figures["coverage_at_5"].get<double>()),
-      kNoteStyle);
-  sheet->Text(axes.left + 8, axes.top + 44,
-              Number("solvable above hopeless (AUROC): %.3f", figures["auroc"]), kNoteStyle);
-  const int below = axes.top + kPlotHeight + 84;
+  sheet->Text(axes.left, axes.top + kPlotHeight + 40,
+              Number("area %.3f; ", figures["area"]) +
+                  Number("solvable above hopeless (AUROC) %.3f", figures["auroc"]),
+              kNoteStyle);
+  const int below = axes.top + kPlotHeight + 108;
   DrawSplits(sheet, axes.left, below, "refused of the solvable", figures["refuse"]);
   DrawSplits(sheet, axes.left, below + kStrip, "failed of the attempted", figures["fail"]);
   return below + kStrip + 34;

@@ -18,6 +18,7 @@ json ToJson(const SplitSummary& summary) {
                  {"rates", json::array()},   {"thresholds", json::array()},
                  {"bands", json::array()}};
   for (const SplitOutcome& split : summary.splits) {
+    if (!split.kept) continue;
     result["rates"].push_back(split.rate());
     result["thresholds"].push_back(split.threshold);
     const double total = split.total > 0 ? split.total : 1;
