@@ -30,7 +30,7 @@ NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
   return config;
 }
 
-EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config, const std::string& path) {
+EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
   EngineInfo info;
   info.judges = HasModule(file, "value") || HasModule(file, "q");
   info.engine = info.judges ? "torch" : "torch, pictures only";
@@ -40,9 +40,6 @@ EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config, const st
   info.image_width = config.image_width;
   info.image_height = config.image_height;
   info.hidden_size = config.hidden_size();
-  const Calibration calibration = CalibrationOf(file, path);
-  info.refusal_threshold = calibration.refusal_threshold;
-  info.calibration = calibration.sample;
   return info;
 }
 
@@ -115,7 +112,7 @@ class TorchEngine : public Engine {
  private:
   TorchEngine(const WeightsFile& file, const std::string& path, int threads)
       : networks_(ConfigOf(file, path)),
-        info_(InfoOf(file, networks_.config, path)),
+        info_(InfoOf(file, networks_.config)),
         weights_hash_(file.hash),
         compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
         pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {
@@ -128,6 +125,13 @@ class TorchEngine : public Engine {
     }
     networks_.SetTraining(false);
     fingerprint_ = Probe();
+    TakeCalibration(file, path);  // last: what is wrong with the networks is the better message
+  }
+
+  void TakeCalibration(const WeightsFile& file, const std::string& path) {
+    const Calibration calibration = CalibrationOf(file, path);
+    info_.refusal_threshold = calibration.refusal_threshold;
+    info_.calibration = calibration.sample;
   }
 
   void RequireSize(const Hidden& state) const {

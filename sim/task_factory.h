@@ -17,7 +17,7 @@ struct TaskOptions {
   std::string scene_file =
       {};  // stacking: a file like config/scenes/stacking.yaml; empty: that one
   double execution_noise =
-      1.0;  // stacking: scale of the scene file's execution noise; 0: none. For measurements
+      1.0;  // stacking, suturing: scale of the world's execution noise; 0: none. For measurements
   int surgeon = -1;            // suturing: whose ways the hands have, 0 to 7; -1: drawn by the seed
   int frames_per_second = 15;  // suturing: ticks a simulated second, a divisor of 30
   double image_noise =

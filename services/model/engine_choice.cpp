@@ -1,7 +1,5 @@
 #include "services/model/engine_choice.h"
 
-#include <spdlog/spdlog.h>
-
 #include <stdexcept>
 #include <utility>
 
@@ -80,15 +78,12 @@ model::BatchCost ParseCost(const std::string& text) {
 }
 
 std::optional<model::NoveltyGauge> LoadNovelty(const EngineChoice& choice) {
-  std::optional<model::NoveltyGauge> gauge;
   try {
-    if (HoldsNetworks(Split(choice.weights))) gauge = model::NoveltyGauge::Load(choice.weights);
+    if (HoldsNetworks(Split(choice.weights))) return model::NoveltyGauge::Load(choice.weights);
+    return std::nullopt;
   } catch (const std::exception& error) {
     throw ExitError(kExitWeights, error.what());
   }
-  if (!gauge)
-    spdlog::info("{} holds nothing of known pictures: none is unlike them", choice.weights);
-  return gauge;
 }
 
 std::unique_ptr<model::Engine> MakeEngine(const EngineChoice& choice) {

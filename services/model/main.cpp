@@ -81,6 +81,10 @@ int Run(int argc, char** argv) {
   HealthMonitor monitor(bus);
   ModelServer server(bus, *engine, options.server);
   monitor.RequireOwnBus();
+  if (!options.server.novelty) {
+    spdlog::info("{} holds nothing of known pictures: none is refused as unlike them",
+                 options.engine.weights);
+  }
   while (!StopRequested()) server.Turn();
   server.Leave();
   return kExitSuccess;

@@ -293,6 +293,7 @@ TaskTable FableTable() {
 planner::SearchParameters FableParameters() {
   planner::SearchParameters parameters;
   parameters.samples = 200;
+  parameters.v_failed = 0.1;
   parameters.refusal_threshold = 0.09;
   return parameters;
 }
@@ -341,7 +342,8 @@ TEST(Strips, LongVerdictsOfShortStripsDoNotTouch) {
 }
 
 TEST(Strips, FailingStatesAreMarked) {
-  const planner::SearchParameters parameters;
+  planner::SearchParameters parameters;
+  parameters.v_failed = 0.1;
   planner::Evaluation good, low, undone;
   good.value = low.done = 0.9F;
   low.value = 0.05F;
