@@ -23,6 +23,7 @@ void Validate(const NetworkConfig& c) {
           "image_height: must be a multiple of 16 from 32 to 1024");
   Require(c.hidden_channels >= 1 && c.hidden_channels <= 256, "hidden_channels: must be 1 to 256");
   Require(c.num_actions >= 1 && c.num_actions <= 254, "num_actions: must be 1 to 254");
+  Require(c.transform_dropout < 1, "transform_dropout: must be below 1");
   Require(IsShare(c.dropout) && IsShare(c.head_dropout), "dropout: must be at least 0, below 1");
   Require(c.activation == "relu" || c.activation == "leaky_relu",
           "activation: must be relu or leaky_relu");
@@ -42,6 +43,7 @@ void to_json(nlohmann::json& json, const NetworkConfig& c) {
           {"hidden_channels", c.hidden_channels},
           {"num_actions", c.num_actions},
           {"dropout", c.dropout},
+          {"transform_dropout", c.transform_dropout},
           {"head_dropout", c.head_dropout},
           {"activation", c.activation},
           {"heads", c.heads},
@@ -57,6 +59,7 @@ void from_json(const nlohmann::json& json, NetworkConfig& c) {
       .Read("hidden_channels", &c.hidden_channels)
       .Read("num_actions", &c.num_actions)
       .Read("dropout", &c.dropout)
+      .Read("transform_dropout", &c.transform_dropout)
       .Read("head_dropout", &c.head_dropout)
       .Read("activation", &c.activation)
       .Read("heads", &c.heads)

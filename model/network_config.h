@@ -15,6 +15,7 @@ struct NetworkConfig {
   int num_actions = 7;      ///< size of the action table; the null action is index num_actions
   double dropout =
       0.1;  ///< after blocks of encoder, decoder, transform (paper), and in C's convolutions
+  double transform_dropout = -1;  ///< T's own where it is to differ; negative: `dropout`
   double head_dropout = 0.5;  ///< in V, Q, p, f and C's dense layers (authors' code; paper silent)
   std::string activation =
       "relu";  ///< encoder and T's action layer: "relu" (paper) or "leaky_relu" (code)
@@ -27,6 +28,9 @@ struct NetworkConfig {
   int transform_extra_stages =
       0;  ///< T's extra stages of 64 channels with their own skip (suturing: 1)
 
+  double dropout_of_transform() const {
+    return transform_dropout < 0 ? dropout : transform_dropout;
+  }
   int hidden_height() const { return image_height / 8; }
   int hidden_width() const { return image_width / 8; }
   /// Floats in one hidden state, hidden_channels x hidden_height x hidden_width (channel major).

@@ -7,7 +7,7 @@ constexpr int kWidth = 64;  // channels of every inner layer
 
 TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
   const BlockOptions plain{Activation::kRelu, true, 0.0};
-  const BlockOptions drop{Activation::kRelu, true, config.dropout};
+  const BlockOptions drop{Activation::kRelu, true, config.dropout_of_transform()};
   const int stages = 1 + config.transform_extra_stages;
   const int cells = (config.hidden_height() >> stages) * (config.hidden_width() >> stages);
   from_h_ = register_module("from_h", ConvBlock(config.hidden_channels, kWidth, 1, 1, plain));
@@ -42,7 +42,7 @@ torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Ten
   if (strided_) return small_->forward(strided_->forward(features));
   const torch::Tensor points = SpatialSoftArgmax(features);
   torch::Tensor z = torch::relu(dense_->forward(torch::cat({points, y}, 1)));
-  z = Dropout(z, config_.dropout, is_training());
+  z = Dropout(z, config_.dropout_of_transform(), is_training());
   return z.view({-1, kWidth, config_.hidden_height() >> stages, config_.hidden_width() >> stages});
 }
 

@@ -32,6 +32,7 @@ json PictureNetwork(const NetworkConfig& c) {
 json TransformNetwork(const NetworkConfig& c) {
   json all = {c.num_actions, c.skip, c.transform_extra_stages};
   if (c.bottleneck != NetworkConfig().bottleneck) all.push_back(c.bottleneck);
+  if (c.transform_dropout >= 0) all.push_back(c.transform_dropout);
   return all;
 }
 

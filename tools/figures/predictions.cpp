@@ -54,8 +54,8 @@ Example ExampleOf(const Chain& chain, const TaskTable& table, const LoadedModel&
 
 std::string Errors(const Example& example, std::size_t step) {
   const Example::Step& s = example.steps[step];
-  return "MAE " + Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) +
-         ", copy of what was seen " + Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
+  return "MAE " + Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) + "; seen " +
+         Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
 }
 
 /// Returns the y below.
@@ -123,7 +123,10 @@ Page DrawPredictions(const std::vector<Chain>& chains, const TaskTable& table,
   const sim::Image& one = examples.front().seen;
   const int width = one.width * Factor(one);
   Sheet sheet(std::max(kLeastWidth, 2 * kMargin + 5 * width + 3 * kGap + 2 * kBetween));
-  int y = DrawHeading(&sheet, "What comes next: " + own.engine->info().task);
+  const std::string& world = chains.front().trial.labels.world_version;
+  const bool simulated = world.find("simulated") != std::string::npos;
+  int y = DrawHeading(&sheet, "What comes next: " + own.engine->info().task +
+                                  (simulated ? ", simulated videos" : ""));
   for (const Example& example : examples) y = DrawExample(&sheet, y, example);
   return Finish(
       &sheet, y, "predictions.png",
