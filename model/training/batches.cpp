@@ -16,10 +16,6 @@ CounterRandom BatchRandom(const TrainConfig& config, const std::string& stage,
                        static_cast<std::uint64_t>(iteration * 64 + shard));
 }
 
-int DrawTurn(const TrainConfig& config, CounterRandom* random) {
-  return config.augment == "dihedral" ? static_cast<int>(random->Below(8)) : 0;
-}
-
 Chain MakeChain(const TrainContext& context, int segment, int start, int steps, bool repeat_last) {
   const TrialSample& trial = context.trial(context.segment(segment).trial);
   const int end = trial.first_segment + trial.segments;
@@ -60,12 +56,12 @@ torch::Tensor ChainBatch::Start() const {
   return context_.hidden->Get(StartSlots(), variants_).to(context_.device);
 }
 
-std::vector<int> ChainBatch::Turns() const {
-  std::vector<int> turns;
+std::vector<int> ChainBatch::Views() const {
+  std::vector<int> views;
   for (std::size_t i = 0; i < size(); ++i) {
-    turns.push_back(context_.Turn(segment(i, 0).trial, variants_[i]));
+    views.push_back(context_.ViewOf(segment(i, 0).trial, variants_[i]));
   }
-  return turns;
+  return views;
 }
 
 std::vector<int> ChainBatch::GoalSlots(int step) const {

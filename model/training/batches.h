@@ -15,9 +15,6 @@ int ShardSize(int batch, int shard, int shards);
 CounterRandom BatchRandom(const TrainConfig& config, const std::string& stage,
                           std::int64_t iteration, int shard);
 
-/// 0, or one of the 8 turns if TrainConfig::augment says so.
-int DrawTurn(const TrainConfig& config, CounterRandom* random);
-
 /// Rows of consecutive actions of one trial, as T is trained on: from slot `start`, step k carries
 /// out actions[k], whose goal picture is goals[k].
 struct Chain {
@@ -44,7 +41,7 @@ class ChainBatch {
   torch::Tensor Actions(int step) const;    ///< [B] int64
   torch::Tensor Weights(int step) const;    ///< [B]
   torch::Tensor Succeeded(int step) const;  ///< [B], f's label
-  std::vector<int> Turns() const;           ///< how each row's pictures are turned
+  std::vector<int> Views() const;           ///< how each row's pictures are varied
   std::vector<int> FirstSlots() const;      ///< slots of x0
   std::vector<int> StartSlots() const;      ///< slots of the states they begin from
   /// Slots of the goal pictures.

@@ -10,10 +10,6 @@ torch::Tensor PixelWeights(const torch::Tensor& x, const torch::Tensor& mean_pic
   return ((difference - 0.08) / 0.1).clamp(0.0, 1.0) * focus + 1.0;
 }
 
-int TurnOf(const TrainConfig& config, int trial_index, int variant) {
-  return config.augment == "dihedral" ? (trial_index + variant) % 8 : 0;
-}
-
 torch::Device DeviceNamed(const std::string& name) {
   if (name == "cuda" && !torch::cuda::is_available()) {
     throw std::invalid_argument(

@@ -9,13 +9,9 @@
 #include "model/training/picture_cache.h"
 #include "model/training/samples.h"
 #include "model/training/train_config.h"
+#include "model/training/views.h"
 
 namespace prospect::model {
-
-/// The element of Dihedral by which variant `variant` of the pictures of one trial is turned. It
-/// differs from trial to trial, so that few variants a picture still show all 8 turns to T and
-/// heads.
-int TurnOf(const TrainConfig& config, int trial_index, int variant);
 
 /// What all stages share. A view: whoever makes it keeps everything alive. `hidden` is null until
 /// the encoder is trained. Stages only read it, except for the weights of the networks that they
@@ -30,8 +26,10 @@ struct TrainContext {
   torch::Tensor mean_picture;          ///< [3,H,W] of training frames, on the device
   LandmarkReadout landmarks{nullptr};  ///< trained with the encoder; null: no such labels
 
-  /// How variant `variant` of a trial's pictures is turned: TurnOf.
-  int Turn(int trial_index, int variant) const { return TurnOf(config, trial_index, variant); }
+  /// How variant `variant` of a trial's pictures is varied: ViewOf.
+  int ViewOf(int trial_index, int variant) const {
+    return model::ViewOf(config, trial_index, variant);
+  }
 
   const TrialSample& trial(int i) const { return samples.trials[static_cast<std::size_t>(i)]; }
   const SegmentSample& segment(int i) const {

@@ -16,7 +16,7 @@ struct Point {
   float u, v;
 };
 
-/// Where a point of the picture goes when it is turned by Dihedral(element).
+/// Where a point of the picture goes when it is turned by View(element).
 Point Turned(Point p, int element) {
   if (element >= 4) p.u = 1 - p.u;
   for (int k = 0; k < element % 4; ++k) p = {p.v, 1 - p.u};

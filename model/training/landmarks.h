@@ -31,7 +31,7 @@ TORCH_MODULE(LandmarkReadout);
 /// Where the landmarks of frames `slots` are, on a grid [B,K,height,width]: each has weight 1
 /// shared by the four cells around it, in proportion to nearness; none has weight if it is not in
 /// the scene. The whole map is -1 where the trial does not say where things are. Pictures are
-/// turned by Dihedral(turns[i]).
+/// turned by View(turns[i]).
 torch::Tensor LandmarkMaps(const SampleSet& samples, const std::vector<int>& slots,
                            const std::vector<int>& turns, std::int64_t height, std::int64_t width);
 

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "model/training/parallel.h"
+#include "model/training/views.h"
 #include "sim/sensor_noise.h"
 
 namespace prospect::model {
@@ -48,20 +49,6 @@ std::vector<int> Range(std::int64_t begin, std::int64_t end) {
 
 }  // namespace
 
-torch::Tensor Dihedral(const torch::Tensor& pictures, int element) {
-  const torch::Tensor flipped = element >= 4 ? pictures.flip({3}) : pictures;
-  return element % 4 == 0 ? flipped : flipped.rot90(element % 4, {2, 3});
-}
-
-torch::Tensor Dihedral(const torch::Tensor& pictures, const std::vector<int>& elements) {
-  torch::Tensor turned = torch::empty_like(pictures, at::MemoryFormat::Contiguous);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto row = static_cast<int64_t>(i);
-    turned.narrow(0, row, 1).copy_(Dihedral(pictures.narrow(0, row, 1), elements[i]));
-  }
-  return turned;
-}
-
 PictureCache::PictureCache(const std::string& path, const TrialFile& file, const SampleSet& set,
                            const ProgressFn& progress)
     : width_(set.width),
@@ -92,7 +79,7 @@ torch::Tensor PictureCache::Mean(const std::vector<int>& slots) const {
 }
 
 HiddenCache::HiddenCache(const std::string& path, const PictureCache& pictures, std::size_t slots,
-                         int variants, const TurnFn& turn, Encoder encoder,
+                         int variants, const ViewFn& view, Encoder encoder,
                          const NetworkConfig& config, int threads, const torch::Device& device,
                          const ProgressFn& progress)
     : config_(config),
@@ -107,9 +94,9 @@ HiddenCache::HiddenCache(const std::string& path, const PictureCache& pictures, 
               const auto encode = [&](std::int64_t begin, std::int64_t end, int variant) {
                 const torch::NoGradGuard no_grad;
                 const std::vector<int> range = Range(begin, end);
-                std::vector<int> turns;
-                for (const int slot : range) turns.push_back(turn(slot, variant));
-                const torch::Tensor x = Dihedral(pictures.Get(range), turns).to(device);
+                std::vector<int> views;
+                for (const int slot : range) views.push_back(view(slot, variant));
+                const torch::Tensor x = View(pictures.Get(range), views).to(device);
                 const torch::Tensor h = encoder->forward(x).to(torch::kCPU).contiguous();
                 const std::size_t row =
                     static_cast<std::size_t>(variant) * slots + static_cast<std::size_t>(begin);

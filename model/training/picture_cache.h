@@ -14,15 +14,9 @@ namespace prospect::model {
 /// Progress of a long loop: units done, of how many. Called from one thread at a time.
 using ProgressFn = std::function<void(std::int64_t done, std::int64_t total)>;
 
-/// Which of the 8 turns a variant of a slot's picture has. Called from several threads.
-using TurnFn = std::function<int(int slot, int variant)>;
-
-/// One of the 8 flips and quarter turns of pictures [B,C,N,N]: `element` 0 is none, 1-3 quarter
-/// turns, 4-7 the same after a left-right flip.
-torch::Tensor Dihedral(const torch::Tensor& pictures, int element);
-
-/// Each picture of [B,C,N,N] turned in its own way; contiguous.
-torch::Tensor Dihedral(const torch::Tensor& pictures, const std::vector<int>& elements);
+/// How a variant of a slot's picture is varied (model/training/views.h). Called from several
+/// threads.
+using ViewFn = std::function<int(int slot, int variant)>;
 
 /// All frames of a SampleSet as they are seen, sensor noise included, by slot. Memory-mapped;
 /// reading is thread-safe.
@@ -46,9 +40,9 @@ class PictureCache {
 class HiddenCache {
  public:
   /// Encodes every frame with `encoder` (put into inference mode) unless `path` already holds them.
-  /// Variant v of a slot is its picture turned by Dihedral(turn(slot, v)).
+  /// Variant v of a slot is its picture varied: View(picture, view(slot, v)).
   HiddenCache(const std::string& path, const PictureCache& pictures, std::size_t slots,
-              int variants, const TurnFn& turn, Encoder encoder, const NetworkConfig& config,
+              int variants, const ViewFn& view, Encoder encoder, const NetworkConfig& config,
               int threads, const torch::Device& device, const ProgressFn& progress);
   /// Hidden states [B,c,Hh,Wh] (on the CPU); variants[i] belongs to slots[i].
   torch::Tensor Get(const std::vector<int>& slots, const std::vector<int>& variants) const;

@@ -36,25 +36,25 @@ class ClassifierStage : public Stage {
       slots.push_back(segment.goal);
       actions.push_back(segment.action);
     }
-    const int turn = DrawTurn(context_.config, &random);
+    const int view = DrawView(context_.config, &random);
     const torch::Tensor x =
-        Dihedral(context_.pictures.Get(slots), turn).contiguous().to(context_.device);
+        View(context_.pictures.Get(slots), view).contiguous().to(context_.device);
     const torch::Tensor map = classifier_->Map(x);
     const torch::Tensor logits = classifier_->Judge(map);
     const torch::Tensor target = ActionTensor(actions, context_.device);
     const torch::Tensor loss = torch::cross_entropy_loss(logits, target);
     const double right = logits.argmax(1).eq(target).to(torch::kFloat).mean().item<double>();
     LossParts result{loss, {{"cross_entropy", loss.item<double>()}, {"accuracy", right}}};
-    if (readout_) AddLandmarks(map, slots, turn, &result);
+    if (readout_) AddLandmarks(map, slots, view, &result);
     return result;
   }
 
  private:
-  void AddLandmarks(const torch::Tensor& map, const std::vector<int>& slots, int turn,
+  void AddLandmarks(const torch::Tensor& map, const std::vector<int>& slots, int view,
                     LossParts* result) {
-    const std::vector<int> turns(slots.size(), turn);
+    const std::vector<int> views(slots.size(), view);
     const torch::Tensor maps =
-        LandmarkMaps(context_.samples, slots, turns, map.size(2), map.size(3)).to(context_.device);
+        LandmarkMaps(context_.samples, slots, views, map.size(2), map.size(3)).to(context_.device);
     const torch::Tensor loss = LandmarkLoss(readout_->forward(map), maps).mean();
     result->loss = result->loss + context_.config.landmark_weight * loss;
     result->parts.emplace_back("landmarks", loss.item<double>());
@@ -92,9 +92,9 @@ class EncoderDecoderStage : public Stage {
     }
     torch::Tensor x = context_.pictures.Get(slots).to(context_.device);
     torch::Tensor weights = PixelWeights(x, context_.mean_picture, context_.config.focus);
-    const int turn = DrawTurn(context_.config, &random);
-    x = Dihedral(x, turn).contiguous();
-    weights = Dihedral(weights, turn);
+    const int view = DrawView(context_.config, &random);
+    x = View(x, view).contiguous();
+    weights = MovedAsView(weights, view);
     Networks networks = context_.networks;
     const torch::Tensor h = networks.encoder->forward(x);
     const torch::Tensor decoded = networks.decoder->forward(h);
@@ -102,7 +102,7 @@ class EncoderDecoderStage : public Stage {
     const torch::Tensor loss = (error * weights).mean();
     LossParts result{loss, {{"loss", loss.item<double>()}, {"l1", error.mean().item<double>()}}};
     if (context_.config.gain_weight > 0) AddGainLoss(x, decoded, &result);
-    if (context_.landmarks) AddLandmarks(h, slots, turn, &result);
+    if (context_.landmarks) AddLandmarks(h, slots, view, &result);
     return result;
   }
 
@@ -116,12 +116,12 @@ class EncoderDecoderStage : public Stage {
     result->parts.emplace_back("gain", loss.item<double>());
   }
 
-  void AddLandmarks(const torch::Tensor& h, const std::vector<int>& slots, int turn,
+  void AddLandmarks(const torch::Tensor& h, const std::vector<int>& slots, int view,
                     LossParts* result) const {
     LandmarkReadout readout = context_.landmarks;
-    const std::vector<int> turns(slots.size(), turn);
+    const std::vector<int> views(slots.size(), view);
     const torch::Tensor maps =
-        LandmarkMaps(context_.samples, slots, turns, h.size(2), h.size(3)).to(context_.device);
+        LandmarkMaps(context_.samples, slots, views, h.size(2), h.size(3)).to(context_.device);
     const torch::Tensor loss = LandmarkLoss(readout->forward(h), maps).mean();
     result->loss = result->loss + context_.config.landmark_weight * loss;
     result->parts.emplace_back("landmarks", loss.item<double>());

@@ -124,11 +124,14 @@ void Validate(const TrainConfig& c) {
           "precision: must be float32 or mixed");
   Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100,
           "mids_per_segment: must be 0 to 100");
-  Require(c.augment == "none" || c.augment == "dihedral", "augment: must be none or dihedral");
-  Require(c.augment == "none" || c.network.image_width == c.network.image_height,
+  Require(c.augment == "none" || c.augment == "dihedral" || c.augment == "camera",
+          "augment: must be none, dihedral or camera");
+  Require(c.augment != "camera" || c.landmark_weight == 0,
+          "augment: camera moves pictures, not their landmarks: set landmark_weight to 0");
+  Require(c.augment != "dihedral" || c.network.image_width == c.network.image_height,
           "augment: dihedral needs square pictures");
   Require(c.hidden_variants >= 1 && c.hidden_variants <= (c.augment == "none" ? 1 : 8),
-          "hidden_variants: must be 1, or up to 8 with augment = dihedral");
+          "hidden_variants: must be 1, or up to 8 with an augment");
   Require(c.focus >= 0, "focus: must not be negative");
   Require(c.gain_weight >= 0, "gain_weight: must not be negative");
   Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");

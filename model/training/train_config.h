@@ -38,9 +38,10 @@ struct TrainConfig {
 
   /// "none" (paper) or "dihedral": the 8 flips and quarter turns of a picture, for square pictures
   /// from straight above of worlds without a preferred direction. Turned pictures get all labels of
-  /// the original.
+  /// the original. Or, beyond the paper, "camera": as if from slightly other cameras and of other
+  /// colours (model/training/views.h), for few trials of a world that looks different in each.
   std::string augment = "none";
-  /// Encodings cached of each frame; with dihedral, of so many of the 8 turned pictures (1 to 8).
+  /// Encodings cached of each frame: of so many of its varied pictures (1 to 8).
   int hidden_variants = 1;
 
   /// Beyond the paper: weight of pixels that differ from the mean training picture, 0 = plain L1.

@@ -349,7 +349,7 @@ struct Trainer::Impl {
     hidden = std::make_unique<HiddenCache>(
         CachePath(options, "hidden", key), pictures, samples.frames.size(), config.hidden_variants,
         [this](int slot, int variant) {
-          return context.Turn(samples.frames[static_cast<std::size_t>(slot)].trial, variant);
+          return context.ViewOf(samples.frames[static_cast<std::size_t>(slot)].trial, variant);
         },
         context.networks.encoder, n, options.threads, context.device, ProgressOf("encodings"));
     context.hidden = hidden.get();

@@ -49,7 +49,7 @@ class TransformStage : public Stage {
   torch::Tensor LandmarkError(const torch::Tensor& h, const ChainBatch& batch, int step) const {
     LandmarkReadout readout = context_.landmarks;
     const torch::Tensor maps =
-        LandmarkMaps(context_.samples, batch.GoalSlots(step), batch.Turns(), h.size(2), h.size(3))
+        LandmarkMaps(context_.samples, batch.GoalSlots(step), batch.Views(), h.size(2), h.size(3))
             .to(context_.device);
     return (LandmarkLoss(readout->forward(h), maps) * batch.Weights(step)).mean();
   }
@@ -162,7 +162,7 @@ class TransformImageStage : public TransformStage {
   }
   torch::Tensor Encoded(const std::vector<int>& slots, const ChainBatch& batch) const {
     Encoder encoder = context_.networks.encoder;
-    const torch::Tensor x = Dihedral(context_.pictures.Get(slots), batch.Turns());
+    const torch::Tensor x = View(context_.pictures.Get(slots), batch.Views());
     return encoder->forward(x.to(context_.device));
   }
 
@@ -222,18 +222,18 @@ class TransformImageStage : public TransformStage {
   torch::Tensor Gain(const torch::Tensor& h0, const ChainBatch& batch) const {
     const torch::NoGradGuard no_grad;
     Decoder decoder = context_.networks.decoder;
-    const torch::Tensor seen = Dihedral(context_.pictures.Get(batch.FirstSlots()), batch.Turns());
+    const torch::Tensor seen = View(context_.pictures.Get(batch.FirstSlots()), batch.Views());
     return LightGain(seen.to(context_.device), decoder->forward(h0));
   }
 
   PicturePair AddPictureLoss(const torch::Tensor& h, const torch::Tensor& gain,
                              const ChainBatch& batch, int step, LossParts* result) const {
     Networks networks = context_.networks;
-    const std::vector<int> turns = batch.Turns();
+    const std::vector<int> views = batch.Views();
     const torch::Tensor raw = context_.pictures.Get(batch.GoalSlots(step)).to(context_.device);
-    const torch::Tensor goal = Dihedral(raw, turns);
+    const torch::Tensor goal = View(raw, views);
     const torch::Tensor focus =
-        Dihedral(PixelWeights(raw, context_.mean_picture, context_.config.focus), turns);
+        MovedAsView(PixelWeights(raw, context_.mean_picture, context_.config.focus), views);
     const torch::Tensor x = networks.decoder->forward(h) * gain;
     const torch::Tensor error = (x - goal).abs();
     const torch::Tensor weights = batch.Weights(step);
