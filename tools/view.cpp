@@ -15,9 +15,9 @@
 
 #include "sim/png.h"
 #include "sim/rollout.h"
-#include "sim/stacking/stacking_task.h"
 #include "sim/task_factory.h"
 #include "tools/view/episode_file.h"
+#include "tools/view/people_view.h"
 #include "tools/view/video.h"
 
 namespace {
@@ -81,15 +81,7 @@ void ReadSize(Options* options) {
 }
 
 sim::Image Take(sim::Task& task, const Options& options) {
-  auto* stacking = dynamic_cast<sim::StackingTask*>(&task);
-  if (stacking != nullptr) {
-    const std::string camera = options.camera.empty() ? "view" : options.camera;
-    return stacking->RenderFrom(camera, options.width, options.height);
-  }
-  if (!options.camera.empty()) {
-    throw std::invalid_argument("task '" + options.task + "' has one camera: leave --camera out");
-  }
-  return task.Render(options.width, options.height);
+  return tools::PeoplesView(task, options.camera, options.width, options.height);
 }
 
 // A picture of every tick, as numbered files and as a video.

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -27,6 +28,7 @@
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/scene_draw.h"
 #include "tools/evaluate/scene_runs.h"
+#include "tools/evaluate/scene_video.h"
 #include "tools/evaluate/search_deciders.h"
 #include "tools/evaluate/shift_options.h"
 
@@ -41,6 +43,7 @@ struct Options {
   std::string task = "navigation";
   std::string weights;
   std::string json_file;
+  std::string videos;  // folder; empty: none
   std::string goal_text;
   Goal goal;  // what goal_text says
   int scenes = 100;
@@ -121,6 +124,8 @@ void AddOptions(CLI::App* app, Options* o) {
   AddPromiseOptions(app, &o->promise);
   AddShiftOptions(app, &o->shift);
   app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
+  app->add_option("--videos", o->videos,
+                  "A folder for a video of each scene as the planner carried it out");
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
 }
 
@@ -179,8 +184,12 @@ class Bench {
         if (!lost) lost = ConsultRecovery(task, seed);
       };
       json& row = scene["rows"][name];
-      row = ToJson(RunEpisode(*task_, *decider, seed, options_.world.image_noise, options_.goal,
-                              name == "planner" ? look : AfterAction()));
+      const bool planner = name == "planner";
+      const EpisodeRecord episode = RunEpisode(*task_, *decider, seed, options_.world.image_noise,
+                                               options_.goal, planner ? look : AfterAction());
+      row = ToJson(episode);
+      if (planner && !options_.videos.empty())
+        row["video"] = WriteSceneVideo(*task_, seed, episode, options_.videos);
       if (lost) row["lost"] = {{"anew", sim::ToString(lost->anew)}, {"time", lost->time}};
     }
     return scene;
@@ -255,6 +264,12 @@ class Bench {
   std::vector<std::pair<std::string, std::unique_ptr<Decider>>> deciders_;
 };
 
+void RequireFolder(const std::string& folder) {
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) throw std::invalid_argument("--videos " + folder + ": " + error.message());
+}
+
 // Refuses what no process could do, before any starts. Throws std::invalid_argument,
 // planner::GoalError or model::WeightsError.
 void CheckInputs(const Options& options) {
@@ -268,6 +283,7 @@ void CheckInputs(const Options& options) {
   planner::MakeSelectionRule(options.search.rule, 1, 1);
   RulesOf(sim::MakeTask(options.task, options.world)->spec(), options.goal);
   RequireWeightsOf(options.task, options.weights);
+  RequireFolder(options.videos);
   if (options.shift.novelty > 0 && !model::NoveltyGauge::Load(options.weights)) {
     std::cerr << "prospect-evaluate: " << options.weights
               << " holds nothing of known pictures: none is refused as unlike them "
