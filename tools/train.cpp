@@ -10,6 +10,7 @@
 
 #include "model/dataset.h"
 #include "model/training/export.h"
+#include "model/training/recipe.h"
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
 #include "model/training/variants.h"
@@ -27,6 +28,8 @@ struct Arguments {
   std::int64_t iterations = 0;
   std::int64_t seed = -1;
   std::vector<std::string> stages;
+  std::string recipe = "best";
+  std::vector<std::string> without;
   bool finetune = false;
   std::string bundle;
   std::string precision;
@@ -37,6 +40,12 @@ struct Arguments {
 std::string VariantHelp() {
   std::string help = "a row of the paper's comparison:";
   for (const model::Variant& v : model::Variants()) help += "\n" + v.name + ": " + v.what;
+  return help;
+}
+
+std::string StepHelp() {
+  std::string help = "leave these steps beyond the paper out, where the task takes them:";
+  for (const model::RecipeStep& s : model::RecipeSteps()) help += "\n" + s.name + ": " + s.what;
   return help;
 }
 
@@ -51,6 +60,12 @@ void AddOptions(CLI::App* app, Arguments* a) {
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
   app->add_option("--variant", a->options.variant, VariantHelp());
+  app->add_option("--recipe", a->recipe,
+                  "best: what a task turns on beyond the paper; paper: none of it, T updated as "
+                  "often")
+      ->check(CLI::IsMember({"paper", "best"}))
+      ->capture_default_str();
+  app->add_option("--without", a->without, StepHelp())->delimiter(',');
   app->add_flag("--finetune", a->finetune,
                 "let encoder and decoder learn on with the transform network");
   app->add_option("--device", a->options.device, "cpu or cuda")
@@ -90,6 +105,8 @@ model::TrainConfig ConfigOf(const Arguments& a) {
     if (json.is_discarded()) throw std::invalid_argument(a.config_file + ": is not JSON");
     json.get_to(config);
   }
+  model::ApplyRecipe(a.recipe, &config);
+  for (const std::string& step : a.without) model::LeaveOut(step, &config);
   if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
   // Last, so that all variants share what comes before T, whatever they change of T's iterations.
   if (!a.options.variant.empty()) model::ApplyVariant(a.options.variant, &config);
