@@ -279,6 +279,19 @@ std::string TrialFile::ContentHash() const {
   return HexText(hash);
 }
 
+std::string TrialFile::PicturesHash() const {
+  constexpr std::size_t kTrials = 64;
+  std::uint64_t hash = HashText("prospect-pictures-1");
+  for (std::size_t i = 0; i < size(); i += 1 + size() / kTrials) {
+    const Trial labels = ReadLabels(i);
+    if (labels.segment.empty()) continue;
+    std::vector<std::uint8_t> frame(static_cast<std::size_t>(labels.width * labels.height * 3));
+    ReadFrames(i, {0}, frame.data());
+    hash = HashBytes(frame.data(), frame.size(), hash);
+  }
+  return HexText(hash);
+}
+
 void WriteTrialFile(const std::string& path, const Trial& trial) {
   ValidateTrial(trial);
   const AtomicFile target(path);

@@ -99,6 +99,10 @@ class TrialFile {
   /// image sizes (not the pixels themselves, which would take minutes). Hexadecimal text.
   std::string ContentHash() const;
 
+  /// A hash of the first frames of up to 64 trials, evenly spread: another camera or encoder shows
+  /// in it although labels are the same. Hexadecimal text. Throws DataError as ReadFrames.
+  std::string PicturesHash() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -185,7 +185,7 @@ struct Trainer::Impl {
         file(o.data),
         samples(ReadSamplesFor(file, c, o)),
         data_hash(file.ContentHash()),
-        data_key(KeyOf({"data-2", data_hash, c.mids_per_segment})),
+        data_key(KeyOf({"data-3", data_hash, file.PicturesHash(), c.mids_per_segment})),
         pictures(CachePath(o, "pictures", data_key), file, samples, ProgressOf("pictures")),
         context{config, samples, pictures, nullptr, Networks(c.network), DeviceNamed(o.device),
                 {}} {

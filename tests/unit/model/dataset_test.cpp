@@ -238,6 +238,18 @@ TEST_F(DatasetTest, FlippedBytesNeverCrashTheReader) {
   }
 }
 
+// Caches are kept by it: pictures of one file must never stand in for those of another.
+TEST_F(DatasetTest, ThePicturesHashFollowsPixels) {
+  Trial trial = MadeTrial(7);
+  WriteTrialFile(Path("a.h5"), trial);
+  trial.images[5] ^= 1;
+  WriteTrialFile(Path("b.h5"), trial);
+  const TrialFile a(Path("a.h5")), b(Path("b.h5"));
+  EXPECT_EQ(a.ContentHash(), b.ContentHash());
+  EXPECT_NE(a.PicturesHash(), b.PicturesHash());
+  EXPECT_EQ(a.PicturesHash(), TrialFile(Path("a.h5")).PicturesHash());
+}
+
 TEST_F(DatasetTest, TheContentHashFollowsLabels) {
   const std::string a = TrialFile(Write(4)).ContentHash();
   EXPECT_EQ(a, TrialFile(Write(4)).ContentHash());
