@@ -140,7 +140,7 @@ class Bench {
     hidden_ = std::make_unique<model::HiddenCache>(
         folder_ / "hidden", pictures_, samples_.frames.size(), config_.hidden_variants,
         [this](int slot, int variant) {
-          return context_.Turn(samples_.frames[static_cast<std::size_t>(slot)].trial, variant);
+          return context_.ViewOf(samples_.frames[static_cast<std::size_t>(slot)].trial, variant);
         },
         context_.networks.encoder, config_.network, options_.threads, context_.device, Quiet);
     context_.hidden = hidden_.get();
