@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "model/calibration.h"
 #include "model/dataset.h"
+#include "model/novelty.h"
 #include "model/training/export.h"
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
@@ -37,6 +39,14 @@ TEST(BundledWeights, SayHowTheyWereMade) {
   EXPECT_GT(metadata["train"]["transform_hidden"]["iterations"].get<int>(), 0);
   EXPECT_GT(metadata["scores"]["trials"].get<int>(), 100);
   EXPECT_EQ(metadata["trial_seeds"].size(), 2U);
+}
+
+TEST(BundledWeights, KnowWhatTheirPicturesLookLike) {
+  for (const char* task : {"stacking", "navigation"}) {
+    const std::string file = kRoot + "/model/weights/" + task + ".safetensors";
+    EXPECT_TRUE(NoveltyGauge::Load(file)) << task;
+    EXPECT_FALSE(CalibrationOf(file).sample.empty()) << task;
+  }
 }
 
 TEST(BundledWeights, AreSmall) {
