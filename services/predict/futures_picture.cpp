@@ -27,33 +27,47 @@ std::string ErrorText(const FuturesSheet& sheet, const ImaginedFuture& future) {
   return text;
 }
 
+std::string WordsOf(const ImaginedFuture& future) {
+  return future.truth.empty() ? future.words : "imagined: " + future.words;
+}
+
+/// Room for the words above a picture: what the longest of them takes.
+int WordsHeight(const FuturesSheet& sheet) {
+  Canvas scratch(kSide);
+  int height = 0;
+  for (const ImaginedFuture& future : sheet.futures)
+    height = std::max(height, scratch.Paragraph(0, 0, kSide, WordsOf(future), {}));
+  return height;
+}
+
 /// Places pictures from left to right and line after line.
 class Grid {
  public:
-  Grid(Canvas* canvas, int top, int height) : canvas_(*canvas), top_(top), height_(height) {}
+  Grid(Canvas* canvas, int top, int words, int height)
+      : canvas_(*canvas), top_(top), words_(words), height_(height) {}
 
   void Put(const std::string& words, const std::string& below, const Picture& picture,
            const cv::Scalar& color) {
     if (column_ == kAcross) NewLine();
     const int x = kMargin + column_++ * (kSide + kGap);
     canvas_.Paragraph(x, top_, kSide, words, {});
-    canvas_.Image(x, top_ + kWords, kSide, picture, color);
-    canvas_.Text(x, top_ + kWords + height_ + 4, below, {0.38, cv::Scalar(90, 90, 90), false});
+    canvas_.Image(x, top_ + words_, kSide, picture, color);
+    canvas_.Text(x, top_ + words_ + height_ + 4, below, {0.38, cv::Scalar(90, 90, 90), false});
   }
   /// The next `count` pictures stand in one line.
   void Keep(int count) {
     if (column_ + count > kAcross) NewLine();
   }
-  int Bottom() const { return top_ + kWords + height_ + kBelow; }
+  int Bottom() const { return top_ + words_ + height_ + kBelow; }
 
  private:
-  static constexpr int kWords = 40, kBelow = 28;
+  static constexpr int kBelow = 28;
   void NewLine() {
     top_ = Bottom();
     column_ = 0;
   }
   Canvas& canvas_;
-  int top_, height_;
+  int top_, words_, height_;
   int column_ = 0;
 };
 
@@ -68,16 +82,16 @@ double MeanAbsoluteError(const Picture& a, const Picture& b) {
 void WriteFuturesSheet(const FuturesSheet& sheet, const std::string& path) {
   Canvas canvas(2 * kMargin + kAcross * kSide + (kAcross - 1) * kGap);
   const int top = canvas.Text(kMargin, kMargin, sheet.title, {0.7, cv::Scalar(40, 40, 40), false});
-  Grid grid(&canvas, top + 8, HeightOf(sheet.seen));
+  Grid grid(&canvas, top + 8, WordsHeight(sheet) + 4, HeightOf(sheet.seen));
   grid.Put("seen", "", sheet.seen, kSeen);
   for (const ImaginedFuture& future : sheet.futures) {
     if (future.truth.empty()) continue;
     grid.Keep(2);
-    grid.Put("imagined: " + future.words, ErrorText(sheet, future), future.imagined, kImagined);
+    grid.Put(WordsOf(future), ErrorText(sheet, future), future.imagined, kImagined);
     grid.Put("what then came", "", future.truth, kTrue);
   }
   for (const ImaginedFuture& future : sheet.futures) {
-    if (future.truth.empty()) grid.Put(future.words, "", future.imagined, kImagined);
+    if (future.truth.empty()) grid.Put(WordsOf(future), "", future.imagined, kImagined);
   }
   const int bottom =
       canvas.Paragraph(kMargin, grid.Bottom(), canvas.width() - 2 * kMargin, sheet.caption, {});
