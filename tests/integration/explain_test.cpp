@@ -102,13 +102,17 @@ TEST_F(Explaining, ANamedPlanIsJudgedByTheModel) {
   ASSERT_EQ(chosen.size(), 3u);
   const double score = deployment.Result().at("searches").at(0).at("score");
 
-  // The chosen plan itself: the model servers say the same of it again.
+  // That plan itself: the model servers say the same of it again. The search beside it may come to
+  // another one, as the order in which answers arrive differs: then the two are compared.
   ASSERT_EQ(Explain(deployment, {"--what-if", chosen[0] + "," + chosen[1] + ", " + chosen[2]}), 0);
   auto what_if = deployment.Result().at("what_if");
-  EXPECT_EQ(what_if.at("findings").at(0), "It is the chosen plan.");
+  const std::string finding = what_if.at("findings").at(0);
+  EXPECT_FALSE(finding.empty());
+  EXPECT_EQ(finding == "It is the chosen plan.", Chosen(deployment) == chosen) << finding;
   EXPECT_NEAR(what_if.at("score").get<double>(), score, 1e-6);
   EXPECT_EQ(what_if.at("forbidden_step"), 0);
-  EXPECT_TRUE(Holds(Page(deployment), "It is the chosen plan."));
+  // Up to what HTML writes otherwise.
+  EXPECT_TRUE(Holds(Page(deployment), finding.substr(0, finding.find('\'')))) << finding;
 
   // Backwards: another plan, with figures of its own at every step.
   ASSERT_EQ(Explain(deployment, {"--what-if", chosen[2] + "," + chosen[1] + "," + chosen[0]}), 0);
@@ -119,7 +123,8 @@ TEST_F(Explaining, ANamedPlanIsJudgedByTheModel) {
   for (const auto& step : what_if.at("steps")) done *= step.at("f").get<double>();
   EXPECT_NEAR(what_if.at("score").get<double>(),
               done * what_if.at("steps").at(2).at("V").get<double>(), 1e-6);
-  EXPECT_NE(what_if.at("findings").at(0), "It is the chosen plan.");
+  EXPECT_EQ(what_if.at("findings").at(0) == "It is the chosen plan.",
+            Chosen(deployment) == std::vector<std::string>(chosen.rbegin(), chosen.rend()));
   EXPECT_EQ(PROSPECT_PICTURES, std::filesystem::exists(deployment.folder + "/out/what-if.png"));
 }
 
