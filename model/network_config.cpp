@@ -30,6 +30,8 @@ void Validate(const NetworkConfig& c) {
   Require(c.heads == "paper" || c.heads == "costar", "heads: must be paper or costar");
   Require(c.bottleneck == "soft_argmax" || c.bottleneck == "strided",
           "bottleneck: must be soft_argmax or strided");
+  Require(c.transform_action == "bottleneck" || c.transform_action == "scale_and_shift",
+          "transform_action: must be bottleneck or scale_and_shift");
   Require(c.transform_extra_stages >= 0 && c.transform_extra_stages <= 3,
           "transform_extra_stages: must be 0 to 3");
   const int divisor = 2 << c.transform_extra_stages;
@@ -49,6 +51,8 @@ void to_json(nlohmann::json& json, const NetworkConfig& c) {
           {"heads", c.heads},
           {"skip", c.skip},
           {"bottleneck", c.bottleneck},
+          {"transform_action", c.transform_action},
+          {"transform_mask", c.transform_mask},
           {"transform_extra_stages", c.transform_extra_stages}};
 }
 
@@ -65,6 +69,8 @@ void from_json(const nlohmann::json& json, NetworkConfig& c) {
       .Read("heads", &c.heads)
       .Read("skip", &c.skip)
       .Read("bottleneck", &c.bottleneck)
+      .Read("transform_action", &c.transform_action)
+      .Read("transform_mask", &c.transform_mask)
       .Read("transform_extra_stages", &c.transform_extra_stages)
       .RefuseOthers();
   Validate(c);

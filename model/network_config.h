@@ -25,6 +25,12 @@ struct NetworkConfig {
   /// What T squeezes its features through: "soft_argmax" (paper) or "strided" (its U-net
   /// comparison).
   std::string bottleneck = "soft_argmax";
+  /// How T is told the action: "bottleneck" (paper) only, or also as "scale_and_shift" of every
+  /// layer's channels (Perez et al. 2018).
+  std::string transform_action = "bottleneck";
+  /// Beyond the paper: a learned mask keeps numbers of h in T's result, so that what an action
+  /// leaves alone need not be made anew from normalised features.
+  bool transform_mask = false;
   int transform_extra_stages =
       0;  ///< T's extra stages of 64 channels with their own skip (suturing: 1)
 

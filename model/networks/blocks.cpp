@@ -17,9 +17,15 @@ torch::nn::Conv2d MakeConv(int in, int out, int kernel, int stride, int padding)
       torch::nn::Conv2dOptions(in, out, kernel).stride(stride).padding(padding));
 }
 
-torch::Tensor Finish(torch::Tensor x, InstanceNorm& norm, const BlockOptions& options,
-                     bool training) {
+torch::Tensor Modulate(const torch::Tensor& x, const torch::Tensor& modulation) {
+  const std::vector<torch::Tensor> halves = modulation.unsqueeze(2).unsqueeze(3).chunk(2, 1);
+  return x * (1 + halves[0]) + halves[1];
+}
+
+torch::Tensor Finish(torch::Tensor x, InstanceNorm& norm, const torch::Tensor& modulation,
+                     const BlockOptions& options, bool training) {
   if (options.norm) x = norm->forward(x);
+  if (modulation.defined()) x = Modulate(x, modulation);
   x = Activate(x, options.activation);
   return Dropout(x, options.dropout, training);
 }
@@ -87,13 +93,17 @@ ConvBlockImpl::ConvBlockImpl(int in, int out, int kernel, int stride, const Bloc
   if (options_.norm) norm_ = register_module("norm", InstanceNorm(out));
 }
 
-torch::Tensor ConvBlockImpl::forward(const torch::Tensor& x) {
-  if (!uneven_)
-    return Finish(Convolve(conv_, x, padding_, options_.norm), norm_, options_, is_training());
+torch::Tensor ConvBlockImpl::forward(const torch::Tensor& x) { return Modulated(x, {}); }
+
+torch::Tensor ConvBlockImpl::Modulated(const torch::Tensor& x, const torch::Tensor& modulation) {
+  const auto finish = [&](const torch::Tensor& padded) {
+    return Finish(Convolve(conv_, padded, padding_, options_.norm), norm_, modulation, options_,
+                  is_training());
+  };
+  if (!uneven_) return finish(x);
   const int64_t before = (conv_->options.kernel_size()->at(0) - 1) / 2;
   const int64_t after = conv_->options.kernel_size()->at(0) - 1 - before;
-  const torch::Tensor padded = torch::constant_pad_nd(x, {before, after, before, after});
-  return Finish(Convolve(conv_, padded, padding_, options_.norm), norm_, options_, is_training());
+  return finish(torch::constant_pad_nd(x, {before, after, before, after}));
 }
 
 UpBlockImpl::UpBlockImpl(int in, int out, const BlockOptions& options) : options_(options) {
@@ -101,9 +111,11 @@ UpBlockImpl::UpBlockImpl(int in, int out, const BlockOptions& options) : options
   if (options_.norm) norm_ = register_module("norm", InstanceNorm(out));
 }
 
-torch::Tensor UpBlockImpl::forward(const torch::Tensor& x) {
-  return Finish(torch::pixel_shuffle(Convolve(conv_, x, 1, options_.norm), 2), norm_, options_,
-                is_training());
+torch::Tensor UpBlockImpl::forward(const torch::Tensor& x) { return Modulated(x, {}); }
+
+torch::Tensor UpBlockImpl::Modulated(const torch::Tensor& x, const torch::Tensor& modulation) {
+  return Finish(torch::pixel_shuffle(Convolve(conv_, x, 1, options_.norm), 2), norm_, modulation,
+                options_, is_training());
 }
 
 torch::Tensor SpatialSoftArgmax(const torch::Tensor& x) {

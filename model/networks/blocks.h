@@ -53,6 +53,9 @@ class ConvBlockImpl : public torch::nn::Module {
  public:
   ConvBlockImpl(int in, int out, int kernel, int stride, const BlockOptions& options);
   torch::Tensor forward(const torch::Tensor& x);  ///< [B,in,H,W] to [B,out,H/stride,W/stride]
+  /// The same, its channels scaled by 1 + the first half of `modulation` [B,2*out] and shifted by
+  /// the second after the norm (Perez et al. 2018); forward(x) where that is undefined.
+  torch::Tensor Modulated(const torch::Tensor& x, const torch::Tensor& modulation);
 
  private:
   BlockOptions options_;
@@ -72,6 +75,7 @@ class UpBlockImpl : public torch::nn::Module {
  public:
   UpBlockImpl(int in, int out, const BlockOptions& options);
   torch::Tensor forward(const torch::Tensor& x);  ///< [B,in,H,W] to [B,out,2H,2W]
+  torch::Tensor Modulated(const torch::Tensor& x, const torch::Tensor& modulation);
 
  private:
   BlockOptions options_;

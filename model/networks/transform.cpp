@@ -3,7 +3,10 @@
 namespace prospect::model {
 namespace {
 constexpr int kWidth = 64;  // channels of every inner layer
-}
+
+/// merge, and each stage's down (but the first), up and join.
+int ModulatedLayers(int stages) { return 3 * stages; }
+}  // namespace
 
 TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
   const BlockOptions plain{Activation::kRelu, true, 0.0};
@@ -32,7 +35,26 @@ TransformImpl::TransformImpl(const NetworkConfig& config) : config_(config) {
   }
   const BlockOptions last{Activation::kSigmoid, false, 0.0};
   out_ = register_module("out", ConvBlock(kWidth, config.hidden_channels, 1, 1, last));
+  if (config.transform_mask)
+    mask_ = register_module("mask", ConvBlock(kWidth, config.hidden_channels, 1, 1, last));
+  if (config.transform_action == "scale_and_shift") {
+    modulation_ = register_module(
+        "modulation", torch::nn::Linear(config.num_actions, 2 * kWidth * ModulatedLayers(stages)));
+  }
   InitialiseGlorot(this);
+}
+
+void TransformImpl::NeutraliseExtras() {
+  constexpr double kNearlyAll = 4;  // a sigmoid of 0.98 leaves the mask a gradient
+  const torch::NoGradGuard no_grad;
+  const auto fill = [](torch::nn::Module& module, double bias) {
+    for (auto& item : module.named_parameters()) {
+      const bool is_bias = item.key().find("bias") != std::string::npos;
+      item.value().fill_(is_bias ? bias : 0.0);
+    }
+  };
+  if (modulation_) fill(*modulation_, 0);
+  if (mask_) fill(*mask_, kNearlyAll);
 }
 
 torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Tensor& y) {
@@ -46,22 +68,33 @@ torch::Tensor TransformImpl::Bottleneck(const torch::Tensor& x, const torch::Ten
   return z.view({-1, kWidth, config_.hidden_height() >> stages, config_.hidden_width() >> stages});
 }
 
+std::vector<torch::Tensor> TransformImpl::Modulations(const torch::Tensor& one_hot) {
+  const int layers = ModulatedLayers(1 + config_.transform_extra_stages);
+  if (!modulation_) return std::vector<torch::Tensor>(static_cast<std::size_t>(layers));
+  return modulation_->forward(one_hot).chunk(layers, 1);
+}
+
 torch::Tensor TransformImpl::forward(const torch::Tensor& h0, const torch::Tensor& h,
                                      const torch::Tensor& action) {
+  const torch::Tensor one_hot = OneHot(action, config_.num_actions);
   const torch::Tensor y =
-      Activate(action_norm_->forward(action_->forward(OneHot(action, config_.num_actions))),
-               ActivationOf(config_.activation));
+      Activate(action_norm_->forward(action_->forward(one_hot)), ActivationOf(config_.activation));
+  const std::vector<torch::Tensor> modulations = Modulations(one_hot);
+  auto modulation = modulations.begin();
   std::vector<torch::Tensor> skips;
-  skips.push_back(merge_->forward(torch::cat({from_h_->forward(h), from_h0_->forward(h0)}, 1)));
-  for (const auto& down : *down_) skips.push_back(down->as<ConvBlock>()->forward(skips.back()));
+  skips.push_back(merge_->Modulated(torch::cat({from_h_->forward(h), from_h0_->forward(h0)}, 1),
+                                    *modulation++));
+  for (const auto& down : *down_)
+    skips.push_back(down->as<ConvBlock>()->Modulated(skips.back(), *modulation++));
   torch::Tensor z = Bottleneck(skips.back(), y);
   for (std::size_t i = 0; i < up_->size(); ++i) {
-    z = up_[i]->as<UpBlock>()->forward(z);
+    z = up_[i]->as<UpBlock>()->Modulated(z, *modulation++);
     if (config_.skip) z = torch::cat({z, skips.back()}, 1);
     skips.pop_back();
-    z = join_[i]->as<ConvBlock>()->forward(z);
+    z = join_[i]->as<ConvBlock>()->Modulated(z, *modulation++);
   }
-  return out_->forward(z);
+  const torch::Tensor fresh = out_->forward(z);
+  return mask_ ? h + mask_->forward(z) * (fresh - h) : fresh;
 }
 
 }  // namespace prospect::model

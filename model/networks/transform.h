@@ -16,24 +16,32 @@ namespace prospect::model {
 /// sigmoid. `bottleneck = strided` is the paper's U-net comparison: a strided and a plain 5x5
 /// convolution in the place of soft argmax and dense layer. `transform_extra_stages` adds strided
 /// C64 blocks on the way down, with a skip and a doubling each on the way up (the paper's suturing
-/// net).
+/// net). Beyond the paper: `transform_action = scale_and_shift` tells every layer of 64 channels
+/// the action; `transform_mask` adds a 1x1 convolution whose sigmoid m keeps numbers of h: the
+/// result is m h' + (1 - m) h.
 class TransformImpl : public torch::nn::Module {
  public:
   explicit TransformImpl(const NetworkConfig& config);
   /// h0, h [B,c,Hh,Wh]; action [B] int64 in 0..num_actions-1. Returns [B,c,Hh,Wh] in (0,1).
   torch::Tensor forward(const torch::Tensor& h0, const torch::Tensor& h,
                         const torch::Tensor& action);
+  /// Sets what goes beyond the paper so that it changes next to nothing: weights that were trained
+  /// without it give what they gave.
+  void NeutraliseExtras();
 
  private:
   torch::Tensor Bottleneck(const torch::Tensor& x, const torch::Tensor& y);
+  /// What the action does to each modulated layer, in the order they are run; undefined tensors
+  /// where the configuration has none.
+  std::vector<torch::Tensor> Modulations(const torch::Tensor& one_hot);
 
   NetworkConfig config_;
   ConvBlock from_h_{nullptr}, from_h0_{nullptr}, merge_{nullptr}, with_action_{nullptr};
   torch::nn::ModuleList down_{nullptr}, up_{nullptr}, join_{nullptr};
-  torch::nn::Linear action_{nullptr}, dense_{nullptr};
+  torch::nn::Linear action_{nullptr}, dense_{nullptr}, modulation_{nullptr};
   ConvBlock strided_{nullptr}, small_{nullptr};  ///< instead of dense_
   VectorNorm action_norm_{nullptr};
-  ConvBlock out_{nullptr};
+  ConvBlock out_{nullptr}, mask_{nullptr};
 };
 TORCH_MODULE(Transform);
 

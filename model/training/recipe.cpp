@@ -30,7 +30,16 @@ const std::vector<Entry>& Entries() {
       {{"encodings", "T first learns the encodings of the goal pictures; without, pictures only"},
        WithoutEncodings},
       {{"links", "more than two transforms trained one after another"},
-       [](TrainConfig* c) { c->linked_steps = std::min(c->linked_steps, 2); }},
+       [](TrainConfig* c) {
+         c->linked_steps = std::min(c->linked_steps, 2);
+         c->linked_from = std::min(c->linked_from, c->linked_steps);
+       }},
+      {{"growth", "T begins with fewer linked transforms"},
+       [](TrainConfig* c) { c->linked_from = 0; }},
+      {{"actions", "every layer of T is told the action, not its bottleneck alone"},
+       [](TrainConfig* c) { c->network.transform_action = "bottleneck"; }},
+      {{"mask", "T keeps numbers of the state it began from where a mask says so"},
+       [](TrainConfig* c) { c->network.transform_mask = false; }},
       {{"done", "a head like f on T's states, passed on to T"},
        [](TrainConfig* c) { c->done_weight = 0; }},
       {{"imagined", "V, Q, p and f learn on imagined states, too"},

@@ -141,7 +141,9 @@ void Validate(const TrainConfig& c) {
   Require(c.focus >= 0, "focus: must not be negative");
   Require(c.gain_weight >= 0, "gain_weight: must not be negative");
   Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");
-  Require(c.linked_steps >= 1 && c.linked_steps <= 5, "linked_steps: must be 1 to 5");
+  Require(c.linked_steps >= 1 && c.linked_steps <= 9, "linked_steps: must be 1 to 9");
+  Require(c.linked_from >= 0 && c.linked_from <= c.linked_steps,
+          "linked_from: must be 0 to linked_steps");
   Require(c.lambda >= 0, "lambda: must not be negative");
   Require(c.picture_weight >= 0, "picture_weight: must not be negative");
   Require(c.adversary == "none" || c.adversary == "pix2pix" || c.adversary == "wgan",
@@ -193,6 +195,7 @@ void to_json(nlohmann::json& json, const TrainConfig& c) {
           {"heads_need_failures", c.heads_need_failures},
           {"lambda", c.lambda},
           {"linked_steps", c.linked_steps},
+          {"linked_from", c.linked_from},
           {"repeat_last", c.repeat_last},
           {"picture_weight", c.picture_weight},
           {"adversary", c.adversary},
@@ -229,6 +232,7 @@ void from_json(const nlohmann::json& json, TrainConfig& c) {
       .Read("heads_need_failures", &c.heads_need_failures)
       .Read("lambda", &c.lambda)
       .Read("linked_steps", &c.linked_steps)
+      .Read("linked_from", &c.linked_from)
       .Read("repeat_last", &c.repeat_last)
       .Read("picture_weight", &c.picture_weight)
       .Read("adversary", &c.adversary)

@@ -72,6 +72,9 @@ struct TrainConfig {
 
   double lambda = 1e-3;  ///< weight of C's cross-entropy on the second picture (authors' code)
   int linked_steps = 2;  ///< transforms trained one after another (paper: 2)
+  /// Beyond the paper: T on encodings begins with so many linked steps, which grow evenly to
+  /// `linked_steps` over the first half of its iterations; 0: all from the start.
+  int linked_from = 0;
   bool repeat_last =
       true;  ///< after a trial's last action the same action again (authors' code); else no loss
   /// Weight of the pictures' L1 in T's loss; beside an adversary the authors use 100 (pix2pix) and

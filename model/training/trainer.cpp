@@ -33,6 +33,8 @@ json TransformNetwork(const NetworkConfig& c) {
   json all = {c.num_actions, c.skip, c.transform_extra_stages};
   if (c.bottleneck != NetworkConfig().bottleneck) all.push_back(c.bottleneck);
   if (c.transform_dropout >= 0) all.push_back(c.transform_dropout);
+  if (c.transform_action != NetworkConfig().transform_action) all.push_back(c.transform_action);
+  if (c.transform_mask) all.push_back("mask");
   return all;
 }
 
@@ -127,9 +129,22 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
   return samples;
 }
 
+/// T's layers beyond the paper, as they begin where weights were trained without them.
+void AddMissingExtras(const NetworkConfig& config, WeightsFile* weights) {
+  Transform neutral(config);
+  neutral->NeutraliseExtras();
+  for (const auto& item : neutral->named_parameters()) {
+    const std::string& name = item.key();
+    if (name.rfind("modulation.", 0) != 0 && name.rfind("mask.", 0) != 0) continue;
+    weights->tensors.emplace("transform." + name, item.value().detach());
+  }
+}
+
 /// One network from a weights file, or from the classifiers' file beside it.
-void LoadNetwork(const std::string& weights, const std::string& prefix, torch::nn::Module* module) {
-  const WeightsFile planning = ReadWeights(weights);
+void LoadNetwork(const std::string& weights, const NetworkConfig& config, const std::string& prefix,
+                 torch::nn::Module* module) {
+  WeightsFile planning = ReadWeights(weights);
+  if (prefix == "transform") AddMissingExtras(config, &planning);
   // Weights that predict pictures only: the judging networks begin afresh.
   if (IsHead(prefix) && !HasModule(planning, "value")) return;
   const bool classifier = prefix == "classifier" || prefix == "second_classifier";
@@ -208,7 +223,7 @@ struct Trainer::Impl {
     if (options.from.empty() || !options.stages.empty()) return;
     const Networks networks(config.network);
     for (const auto& [name, module] : networks.named()) {
-      LoadNetwork(options.from, name, module);
+      LoadNetwork(options.from, config.network, name, module);
     }
   }
 
@@ -222,7 +237,7 @@ struct Trainer::Impl {
     InitialiseFresh(prefix, module);
     if (options.from.empty()) return;
     module->to(torch::kCPU);
-    LoadNetwork(options.from, prefix, module);
+    LoadNetwork(options.from, config.network, prefix, module);
     module->to(context.device);
   }
 
@@ -279,9 +294,17 @@ struct Trainer::Impl {
     return KeyOf({"hidden-2", TransformKey(), config.hidden_variants});
   }
   std::string TransformHiddenKey() const {
-    return KeyOf({"transform-hidden-2", HiddenKey(), TransformNetwork(config.network),
-                  HeadNetwork(config.network), config.transform_hidden, config.linked_steps,
-                  config.repeat_last, config.start_share, config.done_weight});
+    json inputs = {"transform-hidden-2",
+                   HiddenKey(),
+                   TransformNetwork(config.network),
+                   HeadNetwork(config.network),
+                   config.transform_hidden,
+                   config.linked_steps,
+                   config.repeat_last,
+                   config.start_share,
+                   config.done_weight};
+    if (config.linked_from > 0) inputs.push_back(config.linked_from);
+    return KeyOf(inputs);
   }
   std::string TransformKey() const {
     json inputs = {"transform-image-2", TransformHiddenKey(),

@@ -1,5 +1,7 @@
 #include "model/training/transform_stages.h"
 
+#include <algorithm>
+
 #include "model/training/adversary.h"
 #include "model/training/batches.h"
 
@@ -21,14 +23,14 @@ class TransformStage : public Stage {
   }
 
  protected:
-  ChainBatch Draw(CounterRandom* random, int size) const {
+  ChainBatch Draw(CounterRandom* random, int size, int steps) const {
     std::vector<Chain> chains;
     std::vector<int> variants;
     for (int i = 0; i < size; ++i) {
       const int s = segments_[static_cast<std::size_t>(
           random->Below(static_cast<std::int64_t>(segments_.size())))];
-      chains.push_back(MakeChain(context_, s, DrawStart(context_.segment(s), random),
-                                 context_.config.linked_steps, context_.config.repeat_last));
+      chains.push_back(MakeChain(context_, s, DrawStart(context_.segment(s), random), steps,
+                                 context_.config.repeat_last));
       variants.push_back(static_cast<int>(random->Below(context_.config.hidden_variants)));
     }
     return {context_, std::move(chains), std::move(variants)};
@@ -75,7 +77,8 @@ class TransformHiddenStage : public TransformStage {
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
     CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
-    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards));
+    const int steps = LinkedSteps(context_.config, iteration);
+    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards), steps);
     const torch::Tensor h0 = batch.First();
     torch::Tensor h = batch.Start();
     torch::Tensor loss = torch::zeros({}, h.options());
@@ -87,7 +90,8 @@ class TransformHiddenStage : public TransformStage {
       h = networks.transform->forward(h0, h, batch.Actions(k));
       const torch::Tensor error =
           ((h - batch.Goal(k)).abs().mean({1, 2, 3}) * batch.Weights(k)).mean();
-      result.parts.emplace_back("l1_h" + std::to_string(k + 1), error.item<double>());
+      if (k < LinkedSteps(context_.config, 0))  // the same names every time
+        result.parts.emplace_back("l1_h" + std::to_string(k + 1), error.item<double>());
       loss = loss + error;
       if (context_.landmarks) places = places + LandmarkError(h, batch, k);
       if (context_.config.done_weight > 0) done = done + DoneLoss(h0, h, batch, k);
@@ -130,7 +134,8 @@ class TransformImageStage : public TransformStage {
 
   LossParts Loss(std::int64_t iteration, int shard, int shards) override {
     CounterRandom random = BatchRandom(context_.config, name(), iteration, shard);
-    const ChainBatch batch = Draw(&random, ShardSize(config().batch, shard, shards));
+    const ChainBatch batch =
+        Draw(&random, ShardSize(config().batch, shard, shards), context_.config.linked_steps);
     LossParts result;
     const bool learns = !adversary_ || adversary_->GeneratorsTurn(iteration);
     std::vector<PicturePair> pictures;
@@ -259,6 +264,14 @@ class TransformImageStage : public TransformStage {
 };
 
 }  // namespace
+
+int LinkedSteps(const TrainConfig& config, std::int64_t iteration) {
+  if (config.linked_from == 0) return config.linked_steps;
+  const std::int64_t growing = config.linked_steps - config.linked_from + 1;
+  const std::int64_t half = std::max<std::int64_t>(1, config.transform_hidden.iterations / 2);
+  return std::min<int>(config.linked_steps,
+                       config.linked_from + static_cast<int>(growing * iteration / half));
+}
 
 std::unique_ptr<Stage> MakeTransformHiddenStage(const TrainContext& context) {
   return std::make_unique<TransformHiddenStage>(context);

@@ -74,6 +74,55 @@ TEST(Networks, SuturingsSizesAndVariantsRun) {
   }
 }
 
+NetworkConfig WithExtras(NetworkConfig config) {
+  config.transform_action = "scale_and_shift";
+  config.transform_mask = true;
+  return config;
+}
+
+// Copies what both have by name.
+void CopyShared(const Transform& from, Transform* to) {
+  const torch::NoGradGuard no_grad;
+  const auto known = from->named_parameters();
+  for (auto& item : (*to)->named_parameters()) {
+    if (const torch::Tensor* value = known.find(item.key())) item.value().copy_(*value);
+  }
+}
+
+TEST(Networks, TsExtrasFitAllSizesAndEachChangesWhatItGives) {
+  const torch::NoGradGuard no_grad;
+  for (const int stages : {0, 1}) {
+    NetworkConfig config = WithExtras(SmallConfig());
+    config.image_width = config.image_height = 64;
+    config.transform_extra_stages = stages;
+    Transform with(config);
+    with->eval();
+    const torch::Tensor h = torch::rand({2, 8, 8, 8}), a = torch::tensor({0, 2});
+    const torch::Tensor all = with->forward(h, h, a);
+    EXPECT_EQ(all.sizes(), h.sizes());
+    EXPECT_TRUE(all.gt(0).all().item<bool>() && all.lt(1).all().item<bool>());
+    for (const bool mask : {false, true}) {
+      NetworkConfig one = config;
+      mask ? void(one.transform_mask = false) : void(one.transform_action = "bottleneck");
+      Transform without(one);
+      without->eval();
+      CopyShared(with, &without);
+      EXPECT_GT((without->forward(h, h, a) - all).abs().max().item<float>(), 1e-4F);
+    }
+  }
+}
+
+TEST(Networks, TsExtrasBeginAsIfTheyWereNotThere) {
+  const torch::NoGradGuard no_grad;
+  Transform plain(SmallConfig()), extended(WithExtras(SmallConfig()));
+  plain->eval(), extended->eval();
+  CopyShared(plain, &extended);
+  extended->NeutraliseExtras();
+  const torch::Tensor h = torch::rand({2, 8, 4, 4}), a = torch::tensor({0, 2});
+  const torch::Tensor apart = (extended->forward(h, h, a) - plain->forward(h, h, a)).abs();
+  EXPECT_LT(apart.max().item<float>(), 0.02F);  // the mask's 2 %
+}
+
 TEST(Blocks, InstanceNormCentresEachChannelOfEachPicture) {
   InstanceNorm norm(3);
   const torch::Tensor y = norm->forward(torch::rand({2, 3, 8, 8}) * 5 + 2);

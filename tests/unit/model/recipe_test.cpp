@@ -33,6 +33,9 @@ TEST(Recipe, PaperIsAllStepsLeftOutAndTrainsTAsOften) {
               own.transform_image.iterations + own.transform_hidden.iterations);
     EXPECT_EQ(paper.augment, "none");
     EXPECT_LE(paper.linked_steps, 2);
+    EXPECT_EQ(paper.linked_from, 0);
+    EXPECT_EQ(paper.network.transform_action, "bottleneck");
+    EXPECT_FALSE(paper.network.transform_mask);
     for (const double beyond : {paper.focus, paper.landmark_weight, paper.gain_weight,
                                 paper.done_weight, paper.imagined_share})
       EXPECT_EQ(beyond, 0);
@@ -43,7 +46,8 @@ TEST(Recipe, PaperIsAllStepsLeftOutAndTrainsTAsOften) {
 // A step that changes no task's configuration would be a name without a thing.
 TEST(Recipe, EveryStepIsTakenBySomeConfigurationAndLeavingItOutTwiceIsOnce) {
   TrainConfig all = TrainConfigFor("navigation");
-  all.gain_weight = 0.1, all.inside_weight = 0.1;
+  all.gain_weight = 0.1, all.inside_weight = 0.1, all.linked_from = 1;
+  all.network.transform_action = "scale_and_shift", all.network.transform_mask = true;
   for (const RecipeStep& step : RecipeSteps()) {
     TrainConfig config = all;
     LeaveOut(step.name, &config);

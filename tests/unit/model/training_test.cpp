@@ -222,6 +222,34 @@ TEST_F(TrainingTest, WithoutFailuresTheWeightsPredictPicturesOnly) {
   EXPECT_TRUE(judging.context().networks.has_heads);
 }
 
+TEST(LinkedSteps, GrowEvenlyOverTheFirstHalf) {
+  TrainConfig config;
+  config.linked_steps = 3;
+  config.transform_hidden.iterations = 60;
+  EXPECT_EQ(LinkedSteps(config, 0), 3);
+  config.linked_from = 1;
+  const std::vector<std::pair<int, int>> steps = {{0, 1},  {9, 1},  {10, 2}, {19, 2},
+                                                  {20, 3}, {30, 3}, {59, 3}};
+  for (const auto& [iteration, linked] : steps) EXPECT_EQ(LinkedSteps(config, iteration), linked);
+}
+
+TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
+  TrainConfig config = TinyConfig();
+  config.heads.iterations = 0;
+  Trainer plain(config, Options("plain"));
+  plain.Run();
+  TrainOptions options = Options("extended");
+  options.from = ExportWeights(plain, nlohmann::json::object());
+  config.network.transform_action = "scale_and_shift";
+  config.network.transform_mask = true;
+  config.linked_steps = 3, config.linked_from = 1;
+  Trainer extended(config, options);
+  extended.Run();
+  const auto engine = LoadTorchEngine(ExportWeights(extended, nlohmann::json::object()), 1);
+  const Hidden h = engine->Encode(std::vector<std::uint8_t>(32 * 32 * 3, 90).data());
+  EXPECT_EQ(engine->Expand({{h.data(), h.data(), 1}}).front().h.size(), h.size());
+}
+
 // The original fed the first action twice.
 TEST_F(TrainingTest, TheSecondStepIsOfTheSecondAction) {
   const TrialFile file(folder_ / "all.h5");
