@@ -21,8 +21,12 @@ torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& dec
   // In the light of what was seen: on what scale the decoder paints is its own affair.
   const torch::Tensor difference = ((decoded - decoded_start) * gain).abs().amax(1, true);
   const torch::Tensor fresh = ((difference - kSame) / (kOther - kSame)).clamp(0.0, 1.0);
+  // And what touches it: where the decoder's blurred rim of a thing happens to have the ground's
+  // colour, the thing's own rim would stay behind.
+  const torch::Tensor touched = torch::max_pool2d(fresh, /*kernel_size=*/3, /*stride=*/1,
+                                                  /*padding=*/1);
   const torch::Tensor painted = decoded * gain;
-  return (seen + fresh * (painted - seen)).clamp(0.0, 1.0);
+  return (seen + touched * (painted - seen)).clamp(0.0, 1.0);
 }
 
 torch::Tensor ImaginedPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,

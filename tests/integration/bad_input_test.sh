@@ -59,7 +59,6 @@ done
 expect 2 'is no goal.*on\(red,blue\)' "$root/prospect" run --goal 'on(red'
 expect 3 "there is no 'unicorn' in this task; there are: .*barrel" prospect-evaluate --weights "$good" --goal 'visited(unicorn)'
 expect 3 'puts nothing on anything' prospect-evaluate --weights "$good" --goal 'on(barrel,pylon)'
-expect 2 'leave --goal out' prospect-evaluate --weights "$good" --calibrate --goal 'visited(barrel)'
 expect 2 'wants scenes as they come' prospect-evaluate --weights "$good" --calibrate --solvable 5
 expect 2 'at most 10000 scenes' prospect-evaluate --weights "$good" --calibrate --scenes 20000
 expect 2 'leave --alpha and --epsilon out' prospect-evaluate --weights "$good" --threshold 0.1 --alpha 0.05

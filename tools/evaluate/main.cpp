@@ -120,7 +120,7 @@ void AddOptions(CLI::App* app, Options* o) {
       ->delimiter(',');
   app->add_flag("--calibrate", o->calibrate,
                 "Find the refusal threshold on calibration scenes (from 1500000) and store it in "
-                "the weights");
+                "the weights; with --goal it is only told");
   AddPromiseOptions(app, &o->promise);
   AddShiftOptions(app, &o->shift);
   app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 64))->capture_default_str();
@@ -292,9 +292,8 @@ void CheckInputs(const Options& options) {
 }
 
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
+// What is stored with the weights is for the task's own goal; of another one the threshold is told.
 void PrepareCalibration(Options* options) {
-  if (!options->goal.empty())
-    throw std::invalid_argument("--calibrate is for the task's own goal: leave --goal out");
   if (options->wanted.solvable + options->wanted.hopeless > 0)
     throw std::invalid_argument("--calibrate wants scenes as they come: --scenes, not --solvable");
   options->rows = {"planner"};
@@ -330,8 +329,16 @@ void Calibrate(const Options& options, const std::vector<SceneRecord>& scenes) {
   std::vector<std::string> words;
   const model::Calibration calibration =
       CalibrationFrom(sample, options.promise, CalibrationCommand(options), &words);
-  model::StoreCalibration(options.weights, calibration);
   for (const std::string& sentence : words) std::cout << sentence << "\n";
+  if (!options.goal.empty()) {
+    std::cout << model::CurveTable(sample) << "refusal threshold " << calibration.refusal_threshold
+              << " from " << calibration.scenes << " scenes where "
+              << planner::ToString(options.goal)
+              << " is solvable; not stored, since the weights' own is for the task's goal: give it "
+                 "as --refusal-threshold (evaluate: --threshold)\n";
+    return;
+  }
+  model::StoreCalibration(options.weights, calibration);
   std::cout << model::CurveTable(sample) << "refusal threshold " << calibration.refusal_threshold
             << " from " << calibration.scenes << " solvable scenes, stored in " << options.weights
             << " with all " << sample.scenes.size() << " scenes\n";

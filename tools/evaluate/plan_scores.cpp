@@ -59,7 +59,7 @@ class Pictures {
  public:
   Pictures(sim::Task& task, model::Engine& engine, EngineModel& model,
            const std::vector<std::uint8_t>& seen)
-      : task_(task), engine_(engine), model_(model), seen_(seen), first_(task.Observe().rgb) {}
+      : task_(task), engine_(engine), model_(model), seen_(seen) {}
 
   json Compare(const std::vector<PlanOutcome>& outcomes) {
     for (const PlanOutcome& outcome : outcomes) plans_.insert(outcome.plan);
@@ -91,16 +91,14 @@ class Pictures {
     const std::vector<std::uint8_t> truth = task_.Observe().rgb;
     const auto imagined =
         engine_.DecodeOnto(seen_.data(), model_.Predict({}).h, {model_.Predict(path).h}).at(0);
-    found_.push_back({{"depth", path.size()},
-                      {"error", Error(imagined, truth)},
-                      {"copy", Error(first_, truth)}});
+    found_.push_back(
+        {{"depth", path.size()}, {"error", Error(imagined, truth)}, {"copy", Error(seen_, truth)}});
   }
 
   sim::Task& task_;
   model::Engine& engine_;
   EngineModel& model_;
   const std::vector<std::uint8_t>& seen_;
-  std::vector<std::uint8_t> first_;
   std::set<Path> plans_;
   json found_ = json::array();
 };

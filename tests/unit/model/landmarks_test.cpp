@@ -125,7 +125,9 @@ TEST(ComposePicture, ShowsWhatWasSeenWhereNothingChangesAndPaintsTheRestInItsLig
   torch::Tensor decoded = decoded_start + 0.05F;  // less than counts as a change
   decoded.select(3, 0).fill_(0.1F);
   const torch::Tensor picture = ComposePicture(seen, decoded_start, decoded);
-  EXPECT_TRUE(torch::allclose(picture.narrow(3, 1, 3), seen.narrow(3, 1, 3)));
+  EXPECT_TRUE(torch::allclose(picture.narrow(3, 2, 2), seen.narrow(3, 2, 2)));
+  const torch::Tensor beside = torch::full({1, 3, 4}, 0.605F);  // touches the change: painted
+  EXPECT_TRUE(torch::allclose(picture.select(3, 1), beside, 1e-4));
   EXPECT_TRUE(torch::allclose(picture.select(3, 0), torch::full({1, 3, 4}, 0.11F), 1e-4));
   // Whatever scale the decoder paints on.
   EXPECT_TRUE(torch::allclose(ComposePicture(seen, decoded_start * 0.3F, decoded * 0.3F), picture));
