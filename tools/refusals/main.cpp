@@ -78,6 +78,9 @@ Named FromReport(const std::string& path) try {
   if (report.value("threshold", 0.0) != 0)
     throw model::DataError(path + ": plans were refused there; evaluate with --threshold 0");
   return {report.at("task"), SampleFrom(report.at("records").get<std::vector<SceneRecord>>())};
+} catch (const json::parse_error& error) {  // its words quote bytes of the file, which may be any
+  throw model::DataError(path + ": is no report of prospect-evaluate (no JSON from byte " +
+                         std::to_string(error.byte) + " on)");
 } catch (const json::exception& error) {
   throw model::DataError(path + ": is no report of prospect-evaluate (" + error.what() + ")");
 }
