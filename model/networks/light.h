@@ -17,9 +17,9 @@ torch::Tensor LightGain(const torch::Tensor& seen, const torch::Tensor& decoded)
 torch::Tensor RelightPicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
                              const torch::Tensor& decoded);
 
-/// The same where decoding differs from decoding that beginning, and what was seen where it does
-/// not. Beyond the paper: what no action changes need not be painted anew. It pays where little
-/// changes (navigation), not where a shadow moves over the whole picture (stacking).
+/// The same where decoding differs from decoding that beginning, and a pixel around; elsewhere what
+/// was seen. Beyond the paper: what no action changes need not be painted anew. It pays where
+/// little changes (navigation), not where a shadow moves over the whole picture (stacking).
 torch::Tensor ComposePicture(const torch::Tensor& seen, const torch::Tensor& decoded_start,
                              const torch::Tensor& decoded);
 
