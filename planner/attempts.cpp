@@ -54,7 +54,7 @@ Attempts::Attempts(TaskRules rules, int most, double below)
 NextStep Attempts::Next(const SearchFor& search, bool surprised) {
   NextStep next;
   next.plan = search(attempt_);
-  const bool believed = next.plan.ok() && !surprised;
+  const bool believed = next.plan.ok() && (!surprised || MayWait(next.plan.best.path));
   if (may_begin_anew() && (!believed || next.plan.best.score < below_)) {
     const Attempt anew = BegunAnew(rules_, attempt_);
     Plan plan = search(anew);
@@ -99,6 +99,11 @@ bool Attempts::complete() const {
 }
 
 bool Attempts::MayStill() const { return begun_anew_ < most_ && !attempt_.executed.empty(); }
+
+// Whether the plan's next action leads to where one may begin anew as well as now.
+bool Attempts::MayWait(const Path& rest) const {
+  return rest.size() > 1 && MayBeginAnew(rules_, {rest.front()});
+}
 
 // Where one may begin anew now and would not, one would not later either.
 bool Attempts::RestLeadsToANewBeginning() const {

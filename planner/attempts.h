@@ -61,7 +61,8 @@ class Attempts {
   // way there the plan that was last acted on is carried on, since its path was imagined free.
   // Before the first action there is nothing of the kind: a refusal stays a refusal.
   // `surprised`: what is seen is not what the plan imagined for now. Then the score of going on is
-  // not believed, and whatever may be begun anew is.
+  // not believed, and whatever may be begun anew is; but not before the last action that allows it,
+  // when all has been seen that there is to see.
   NextStep Next(const SearchFor& search, bool surprised = false);
 
   // Whether a surprise would matter now.
@@ -81,6 +82,7 @@ class Attempts {
  private:
   void Follow(const Path& path);
   bool MayStill() const;
+  bool MayWait(const Path& rest) const;
   bool RestLeadsToANewBeginning() const;
 
   TaskRules rules_;

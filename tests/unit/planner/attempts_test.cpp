@@ -161,6 +161,46 @@ TEST(Attempts, BeginsAnewWhenSurprised) {
   }
 }
 
+// PickAndPut with 9, a step back after a put: from there, too, one may go home or pick again.
+TaskRules PickPutAndStepBack(int plan_length) {
+  TaskRules rules = PickAndPut(plan_length);
+  rules.num_actions = 10;
+  for (int put = 3; put <= 5; ++put) rules.successors[put] = {0, 1, 2, 9};
+  rules.successors.insert(rules.successors.end() - 1, {0, 1, 2, 7});
+  rules.Prepare();
+  return rules;
+}
+
+// A hand that is still there hides what it has let go of.
+TEST(Attempts, WaitsForALaterViewWhenSurprised) {
+  Attempts attempts(PickPutAndStepBack(4), 1);
+  attempts.CarriedOut(0);
+  attempts.CarriedOut(4);
+  ASSERT_TRUE(attempts.may_begin_anew());
+  Answers answers;
+  answers.Set({0, 4}, 4, Scoring(0.9, {9, 7}));
+  NextStep next = attempts.Next(answers.Search(), true);
+  EXPECT_EQ(next.kind, NextStep::Kind::kAct);
+  EXPECT_EQ(next.action, 9);
+  attempts.CarriedOut(9);
+  answers.Set({0, 4, 9}, 4, Scoring(0.9, {7}));
+  answers.Set({9}, 5, Scoring(0.6, {1, 3, 9, 6}));
+  next = attempts.Next(answers.Search(), true);
+  EXPECT_EQ(next.kind, NextStep::Kind::kAnew);
+  EXPECT_EQ(next.action, 1);
+}
+
+// It is lost as it is, and waiting would not find it again.
+TEST(Attempts, WaitsForNothingWhereGoingOnIsRefused) {
+  Attempts attempts(PickPutAndStepBack(4), 1);
+  attempts.CarriedOut(0);
+  attempts.CarriedOut(4);
+  Answers answers;
+  answers.Set({0, 4}, 4, Refused("lost"));
+  answers.Set({4}, 5, Scoring(0.6, {1, 3, 9, 6}));
+  EXPECT_EQ(attempts.Next(answers.Search(), true).kind, NextStep::Kind::kAnew);
+}
+
 TEST(Attempts, CountsWhatWasCarriedOutOfOnePlan) {
   Attempts attempts(PickAndPut(6), 1);
   Answers answers;
