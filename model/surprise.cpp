@@ -8,6 +8,18 @@
 namespace prospect::model {
 namespace {
 
+int Colourfulness(const std::uint8_t* pixel) {
+  const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+  return most - least;
+}
+
+// 0 to 5 x 255; 6 x 255 would be all that could differ.
+int Difference(const std::uint8_t* a, const std::uint8_t* b) {
+  int channels = 0;
+  for (int c = 0; c < 3; ++c) channels += std::abs(int{a[c]} - int{b[c]});
+  return channels + 3 * std::abs(Colourfulness(a) - Colourfulness(b));
+}
+
 // Sums of differences over all pixels above and left of each corner: (height + 1) x (width + 1).
 std::vector<int> SummedDifferences(const std::vector<std::uint8_t>& a,
                                    const std::vector<std::uint8_t>& b, int width, int height) {
@@ -17,7 +29,7 @@ std::vector<int> SummedDifferences(const std::vector<std::uint8_t>& a,
     int row = 0;
     for (int x = 0; x < width; ++x) {
       const std::size_t pixel = (static_cast<std::size_t>(y) * width + x) * 3;
-      for (std::size_t c = pixel; c < pixel + 3; ++c) row += std::abs(int{a[c]} - int{b[c]});
+      row += Difference(&a[pixel], &b[pixel]);
       sums[(y + 1) * columns + x + 1] = sums[y * columns + x + 1] + row;
     }
   }
@@ -41,7 +53,7 @@ double Surprise(const std::vector<std::uint8_t>& imagined, const std::vector<std
       most = std::max(most, lower[side] - lower[0] - upper[side] + upper[0]);
     }
   }
-  return most / (side * side * 3 * 255.0);
+  return most / (side * side * 6 * 255.0);
 }
 
 }  // namespace prospect::model

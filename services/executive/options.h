@@ -5,6 +5,7 @@
 
 #include "model/novelty_words.h"
 #include "model/refusal/promise.h"
+#include "model/surprise.h"
 #include "planner/search_parameters.h"
 
 namespace prospect::services {
@@ -20,7 +21,7 @@ struct ExecutiveOptions {
   planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
   double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
   int retries = 1;  ///< times a plan that is lost may be begun anew, where the task allows it
-  double surprise = 0.31;  ///< it is lost where a patch differs more than this from the imagined
+  double surprise = model::kSurprising;  ///< it is lost where a patch differs more than this
   model::Promise promise;  ///< asked for: sets refusal_threshold by the weights' calibration
   double novelty = model::kNoveltyLevel;  ///< pictures with a smaller p-value are refused; 0: none
   int leaves = 2;                         ///< evaluations a worker may have in flight

@@ -14,6 +14,7 @@
 
 #include "model/calibration.h"
 #include "model/engine.h"
+#include "model/surprise.h"
 #include "planner/selection_rule.h"
 #include "sim/oracle.h"
 #include "sim/oracle_cache.h"
@@ -49,7 +50,7 @@ struct Options {
   int scenes = 100;
   ScenesWanted wanted;
   int retries = 1;
-  double surprise = 0.31;
+  double surprise = model::kSurprising;
   std::uint64_t seed = 2'000'000;
   sim::TaskOptions world;
   ShiftOptions shift;
