@@ -28,6 +28,7 @@ struct Arguments {
   std::int64_t iterations = 0;
   std::int64_t seed = -1;
   std::vector<std::string> stages;
+  std::vector<std::string> fresh;
   std::string recipe = "best";
   std::vector<std::string> without;
   bool finetune = false;
@@ -71,6 +72,10 @@ void AddOptions(CLI::App* app, Arguments* a) {
   app->add_option("--device", a->options.device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}));
   app->add_option("--from", a->options.from, "begin from these weights")->check(CLI::ExistingFile);
+  app->add_option("--fresh", a->fresh,
+                  "with --from: networks of these stages (as of --stage) begin from random weights "
+                  "all the same")
+      ->delimiter(',');
   app->add_option("--seed", a->seed, "seed of first weights, batches and dropout")
       ->check(CLI::NonNegativeNumber);
   app->add_option("--config", a->config_file,
@@ -163,6 +168,7 @@ int Run(Arguments a) {
   }
   if (!a.scored_weights.empty()) return ScoreOnly(a);
   a.options.stages.insert(a.stages.begin(), a.stages.end());
+  a.options.fresh.insert(a.fresh.begin(), a.fresh.end());
   model::Trainer trainer(config, a.options);
   trainer.Run();
   if (!a.options.stages.empty()) return 0;  // part of the networks: nothing to score yet

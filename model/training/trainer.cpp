@@ -76,15 +76,30 @@ bool HasFailures(const SampleSet& samples) {
   return false;
 }
 
-bool TrainsHeads(const TrainConfig& config, const SampleSet& samples, const std::string& from) {
-  if (config.heads.iterations == 0) return !from.empty() && HasModule(ReadWeights(from), "value");
+/// The stage that first trains a network.
+std::string StageOf(const std::string& network) {
+  if (network == "encoder" || network == "decoder") return "encoder-decoder";
+  if (network == "transform" || network == "f") return "transform";
+  if (network == "second_classifier") return "second-classifier";
+  return network == "classifier" ? network : "heads";
+}
+
+/// Whether a stage's networks begin from the weights that were given.
+bool BeginsFrom(const TrainOptions& options, const std::string& stage) {
+  return !options.from.empty() && options.fresh.count(stage) == 0;
+}
+
+bool TrainsHeads(const TrainConfig& config, const SampleSet& samples, const TrainOptions& options) {
+  if (config.heads.iterations == 0) {
+    return BeginsFrom(options, "heads") && HasModule(ReadWeights(options.from), "value");
+  }
   return !config.heads_need_failures || HasFailures(samples);
 }
 
 /// Whether C and the second classifier are there: trained, or in the weights to begin from.
 bool HasClassifiers(const TrainConfig& config, const TrainOptions& options) {
   const bool some = config.classifier.iterations > 0 ||
-                    (!options.from.empty() && ReadsLabels(ReadWeights(options.from)));
+                    (BeginsFrom(options, "classifier") && ReadsLabels(ReadWeights(options.from)));
   const bool needed = config.lambda > 0 && config.transform_image.iterations > 0;
   if (!some && needed && !options.score_only) {
     throw std::invalid_argument("lambda: needs C; give classifier.iterations above 0, or lambda 0");
@@ -125,7 +140,7 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
     RequireParts(file, samples, {Split::kTrain, Split::kValid, Split::kTest});
   }
   const bool heads = options.stages.empty() || options.stages.count("heads") > 0;
-  if (heads && TrainsHeads(config, samples, options.from)) RequireSuccess(file, samples);
+  if (heads && TrainsHeads(config, samples, options)) RequireSuccess(file, samples);
   return samples;
 }
 
@@ -210,7 +225,7 @@ struct Trainer::Impl {
     }
     context.networks.has_classifier = HasClassifiers(c, o);
     context.networks.has_second_classifier = context.networks.has_classifier;
-    context.networks.has_heads = TrainsHeads(c, samples, o.from);
+    context.networks.has_heads = TrainsHeads(c, samples, o);
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) {
       from_hash = HexText(WeightsFileHash(o.from));
@@ -223,6 +238,7 @@ struct Trainer::Impl {
     if (options.from.empty() || !options.stages.empty()) return;
     const Networks networks(config.network);
     for (const auto& [name, module] : networks.named()) {
+      if (!BeginsFrom(options, StageOf(name))) continue;
       LoadNetwork(options.from, config.network, name, module);
     }
   }
@@ -231,11 +247,11 @@ struct Trainer::Impl {
     return options.stages.empty() || options.stages.count(stage) > 0;
   }
 
-  /// First weights of one network: from the weights file asked for, or random, by the stage's own
+  /// First weights of one network: from the weights file asked for, or random, by the network's own
   /// seed.
   void Initialise(const std::string& prefix, torch::nn::Module* module) const {
     InitialiseFresh(prefix, module);
-    if (options.from.empty()) return;
+    if (!BeginsFrom(options, StageOf(prefix))) return;
     module->to(torch::kCPU);
     LoadNetwork(options.from, config.network, prefix, module);
     module->to(context.device);
@@ -265,10 +281,14 @@ struct Trainer::Impl {
     return run;
   }
 
+  /// A stage's key says that its networks did not begin from the weights that were given.
+  void AddFresh(const std::string& stage, json* inputs) const {
+    if (options.fresh.count(stage) > 0) inputs->push_back("fresh");
+  }
   std::string BaseKey() const {
     return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});
   }
-  std::string ClassifierKey() const {
+  std::string ClassifierKey(const std::string& stage) const {
     json inputs = {"classifier-3",
                    BaseKey(),
                    PictureNetwork(config.network),
@@ -278,6 +298,7 @@ struct Trainer::Impl {
                    config.landmark_weight,
                    config.classifier};
     if (!from_classifiers.empty()) inputs.push_back(from_classifiers);
+    AddFresh(stage, &inputs);
     return KeyOf(inputs);
   }
   std::string EncoderKey() const {
@@ -285,6 +306,7 @@ struct Trainer::Impl {
                    config.augment,        config.focus, config.landmark_weight,
                    config.encoder_decoder};
     if (config.gain_weight > 0) inputs.push_back(config.gain_weight);
+    AddFresh("encoder-decoder", &inputs);
     return KeyOf(inputs);
   }
   std::string HiddenKey() const {
@@ -304,12 +326,13 @@ struct Trainer::Impl {
                    config.start_share,
                    config.done_weight};
     if (config.linked_from > 0) inputs.push_back(config.linked_from);
+    AddFresh("transform", &inputs);
     return KeyOf(inputs);
   }
   std::string TransformKey() const {
     json inputs = {"transform-image-2", TransformHiddenKey(),
-                   config.lambda > 0 ? ClassifierKey() : "no classifier", config.transform_image,
-                   config.lambda};
+                   config.lambda > 0 ? ClassifierKey("classifier") : "no classifier",
+                   config.transform_image, config.lambda};
     if (config.picture_weight != 1.0) inputs.push_back(config.picture_weight);
     if (config.adversary != "none") {
       inputs.insert(inputs.end(),
@@ -323,6 +346,7 @@ struct Trainer::Impl {
     if (!samples.successors.empty()) inputs.push_back(samples.successors);
     if (config.inside_weight != 1.0) inputs.push_back(config.inside_weight);
     if (config.labels != "paper") inputs.push_back(config.labels);
+    AddFresh("heads", &inputs);
     return KeyOf(inputs);
   }
 
@@ -357,7 +381,7 @@ struct Trainer::Impl {
 
   void TrainClassifier(const std::string& name, Classifier classifier) {
     Initialise(name == "classifier" ? "classifier" : "second_classifier", classifier.ptr().get());
-    TrainOrLoad(name, MakeClassifierStage(context, classifier, name).get(), ClassifierKey());
+    TrainOrLoad(name, MakeClassifierStage(context, classifier, name).get(), ClassifierKey(name));
   }
 
   void TrainEncoder() {
@@ -400,6 +424,7 @@ struct Trainer::Impl {
 Trainer::Trainer(const TrainConfig& config, const TrainOptions& options) {
   Validate(config);
   RequireKnownStages(options.stages);
+  RequireKnownStages(options.fresh);
   DeviceNamed(options.device);  // before anything is read
   Impl::RequireFittingWeights(config, options);
   fs::create_directories(options.folder + "/" + options.variant);
@@ -417,7 +442,9 @@ void Trainer::Run() {
   const bool heads = run.Wants("heads") && networks.has_heads;
   const bool transform = run.Wants("transform") || heads;
   if (run.Wants("heads") && !heads) {
-    std::fprintf(stderr, "V, Q, p and f are left out: nothing failed in the training part\n");
+    std::fprintf(stderr, "V, Q, p and f are left out: %s\n",
+                 run.config.heads.iterations == 0 ? "heads.iterations is 0"
+                                                  : "nothing failed in the training part");
   }
   const bool judges =
       transform && run.config.transform_image.iterations > 0 && run.config.lambda > 0;

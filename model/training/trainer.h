@@ -18,6 +18,9 @@ struct TrainOptions {
   std::string folder;
   std::string variant;  ///< weights and curves.csv go to DIR/VARIANT; empty = to DIR
   std::string from;     ///< a weights file to begin from; empty = from random weights
+  /// Stages (names as below) whose networks begin from random weights all the same: variants are
+  /// compared on one encoder.
+  std::set<std::string> fresh;
   std::string device = "cpu";
   int threads = 2;
   /// Names of the stages to run, empty = all: classifier, second-classifier, encoder-decoder,

@@ -250,6 +250,41 @@ TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
   EXPECT_EQ(engine->Expand({{h.data(), h.data(), 1}}).front().h.size(), h.size());
 }
 
+// Variants are compared on one encoder: T alone begins from random weights.
+TEST_F(TrainingTest, AStageMayBeginAfreshFromWeightsThatDoNotFitIt) {
+  TrainConfig config = TinyConfig();
+  config.heads.iterations = 0;
+  Trainer plain(config, Options("plain"));
+  plain.Run();
+  TrainOptions options = Options("afresh");
+  options.from = ExportWeights(plain, nlohmann::json::object());
+  config.encoder_decoder.iterations = config.transform_hidden.iterations =
+      config.transform_image.iterations = 0;
+  const auto trained = [&] {
+    auto trainer = std::make_unique<Trainer>(config, options);
+    trainer->Run();
+    return trainer;
+  };
+  const auto same = trained();
+  options.fresh = {"transform"};
+  const auto afresh = trained();
+  config.network.skip = false;
+  const auto other = trained();
+  options.fresh.clear();
+  EXPECT_THROW(trained(), WeightsError) << "T has another shape";
+
+  const auto weight = [](const Trainer& trainer, bool encoder) {
+    const Networks& n = trainer.context().networks;
+    return (encoder ? n.encoder->parameters() : n.transform->parameters()).front();
+  };
+  for (const Trainer* trainer : {afresh.get(), other.get()}) {
+    EXPECT_TRUE(weight(*trainer, true).equal(weight(*same, true)));
+    EXPECT_FALSE(weight(*trainer, false).equal(weight(*same, false)));
+  }
+  options.fresh = {"encoder"};
+  EXPECT_THROW(trained(), std::invalid_argument) << "the stage is encoder-decoder";
+}
+
 // The original fed the first action twice.
 TEST_F(TrainingTest, TheSecondStepIsOfTheSecondAction) {
   const TrialFile file(folder_ / "all.h5");
