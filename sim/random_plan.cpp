@@ -25,6 +25,11 @@ int RandomPlan::Choose(const std::vector<int>& legal) {
   return last_;
 }
 
+void RandomPlan::Follow(int action) {
+  if (IsRetry(successors_, last_, action)) wants_retry_ = false;
+  last_ = action;
+}
+
 std::vector<int> RandomPlan::Offered(const std::vector<int>& legal) {
   const auto is_retry = [this](int action) { return IsRetry(successors_, last_, action); };
   std::vector<int> onward, retries;

@@ -24,6 +24,9 @@ class RandomPlan {
   // The next action, of `legal` (not empty, ascending).
   int Choose(const std::vector<int>& legal);
 
+  // Takes note of an action that somebody else chose, so that Choose goes on after it.
+  void Follow(int action);
+
  private:
   std::vector<int> Offered(const std::vector<int>& legal);
 

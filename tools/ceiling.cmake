@@ -1,0 +1,13 @@
+if(NOT TARGET prospect_sim OR NOT TARGET prospect_dataset)
+  return()
+endif()
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json 3 REQUIRED)
+set(ceiling ${CMAKE_CURRENT_SOURCE_DIR}/ceiling)
+add_library(prospect_ceiling_lib STATIC ${ceiling}/foretold.cpp ${ceiling}/replay.cpp)
+prospect_target(prospect_ceiling_lib)
+target_link_libraries(prospect_ceiling_lib PUBLIC prospect_sim)
+add_executable(prospect-ceiling ${ceiling}/main.cpp)
+prospect_target(prospect-ceiling)
+target_link_libraries(prospect-ceiling PRIVATE prospect_ceiling_lib prospect_dataset prospect_tools_common
+  CLI11::CLI11 nlohmann_json::nlohmann_json)

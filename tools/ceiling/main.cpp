@@ -1,0 +1,184 @@
+// prospect-ceiling: how well what V and f are asked can be known at all. Trials of a data set's
+// test part are carried out again up to a random moment and from there on many times: execution
+// noise, and actions that nobody has chosen yet, are what no picture tells.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "model/trial.h"
+#include "sim/random.h"
+#include "sim/task_factory.h"
+#include "tools/ceiling/foretold.h"
+#include "tools/ceiling/replay.h"
+#include "tools/common/fork_map.h"
+#include "tools/common/json_file.h"
+#include "tools/common/progress.h"
+
+namespace prospect::tools {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t kMomentStream = 0x6d6f6d656e74ULL;
+
+struct Options {
+  std::string task = "stacking";
+  int trials = 500;
+  int runs = 10;
+  std::uint64_t seed = 0;
+  int jobs = 2;
+  std::string json_file;
+};
+
+void AddOptions(CLI::App* app, Options* o) {
+  app->add_option("--task", o->task, "The task")->capture_default_str();
+  app->add_option("--trials", o->trials,
+                  "Test trials to look at; from those that last long enough one moment is taken")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  app->add_option("--runs", o->runs, "Repetitions from each moment, in each of three ways")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app->add_option("--seed", o->seed, "Seed of the first trial; only those of the test part count")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{999'999}))
+      ->capture_default_str();
+  app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 256))->capture_default_str();
+  app->add_option("--json", o->json_file, "Write the figures to this file, too");
+}
+
+std::vector<std::uint64_t> TestSeeds(const Options& options) {
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = options.seed; static_cast<int>(seeds.size()) < options.trials; ++seed) {
+    if (model::SplitOf(seed) == model::Split::kTest) seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+json ToJson(const Repetitions& r) {
+  return {r.first.runs, r.first.came_true, r.second.runs, r.second.came_true};
+}
+
+Repetitions FromJson(const json& j) { return {{j[0], j[1]}, {j[2], j[3]}}; }
+
+// Uniform over all moments of all trials: a number is drawn first, and trials that do not last so
+// long give none.
+json LookAt(sim::Task& task, std::uint64_t seed, int runs) {
+  const int most = 2 * task.spec().plan_length;
+  const int number = sim::Random(sim::MixSeeds({seed, kMomentStream})).Below(most + 1);
+  const std::optional<Moment> moment = Replay(task, seed, number, runs);
+  if (!moment) return json::object();
+  json line = {{"V after one", ToJson(moment->value_one)},
+               {"f after one", ToJson(moment->done_one)},
+               {"V after two", ToJson(moment->value_two)},
+               {"f after two", ToJson(moment->done_two)}};
+  if (number > 0) line["V, real states"] = ToJson(moment->value);
+  return line;
+}
+
+double ShareOf(const Frequency& f) { return static_cast<double>(f.came_true) / f.runs; }
+
+// What one half foretells of the other: a little less than could be known, since ten runs tell a
+// probability only roughly. And all runs of themselves: a little more.
+struct Bounds {
+  std::vector<Foretold> low, high;
+
+  void Add(const Repetitions& r) {
+    if (r.first.runs == 0 || r.second.runs == 0) return;
+    const Frequency all{r.first.runs + r.second.runs, r.first.came_true + r.second.came_true};
+    low.push_back({ShareOf(r.first), ShareOf(r.second)});
+    high.push_back({ShareOf(all), ShareOf(all)});
+  }
+};
+
+json Figures(const Bounds& bounds) {
+  const Scores low = ScoresOf(bounds.low), high = ScoresOf(bounds.high);
+  return {{"moments", high.moments},
+          {"base_rate", high.base_rate},
+          {"majority", high.majority},
+          {"accuracy", {low.accuracy, high.accuracy}},
+          {"balanced_accuracy", {low.balanced, high.balanced}},
+          {"best_balanced_accuracy", {low.best_balanced, high.best_balanced}},
+          {"area_under_roc", {low.area_under_roc, high.area_under_roc}}};
+}
+
+void PrintBetween(const json& pair) {
+  std::printf("  %.3f to %.3f", pair[0].get<double>(), pair[1].get<double>());
+}
+
+void Print(const json& report) {
+  std::printf("what can be known of %d moments of %d test trials, by %d repetitions of each\n\n",
+              report["moments"].get<int>(), report["trials"].get<int>(), report["runs"].get<int>());
+  std::printf("%-16s %7s  %8s  %-14s  %-14s  %-14s  %-14s\n", "", "moments", "majority", "accuracy",
+              "balanced", "at its best", "area under ROC");
+  for (const auto& [name, row] : report["rows"].items()) {
+    std::printf("%-16s %7d  %8.3f", name.c_str(), row["moments"].get<int>(),
+                row["majority"].get<double>());
+    for (const char* key :
+         {"accuracy", "balanced_accuracy", "best_balanced_accuracy", "area_under_roc"}) {
+      PrintBetween(row[key]);
+    }
+    std::printf("\n");
+  }
+}
+
+int Run(const Options& options) {
+  sim::MakeTask(options.task, {});  // refuses an unknown task before any process starts
+  const std::vector<std::uint64_t> seeds = TestSeeds(options);
+  std::map<std::string, Bounds> rows;
+  int moments = 0;
+  Progress progress("trials", options.trials);
+  const auto worker = [&] {
+    auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, {}));
+    return [&seeds, &options, task](int i) {
+      return LookAt(*task, seeds[static_cast<std::size_t>(i)], options.runs).dump();
+    };
+  };
+  ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
+    const json one = json::parse(line);
+    moments += !one.empty();
+    for (const auto& [name, repetitions] : one.items()) rows[name].Add(FromJson(repetitions));
+    progress.Step(std::to_string(moments) + " moments");
+  });
+  json report = {{"task", options.task},
+                 {"trials", options.trials},
+                 {"runs", options.runs},
+                 {"moments", moments},
+                 {"rows", json::object()}};
+  for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
+  Print(report);
+  if (!options.json_file.empty()) WriteJsonFile(options.json_file, report);
+  return 0;
+}
+
+}  // namespace
+}  // namespace prospect::tools
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "How well what V and f are asked can be known at all: test trials again from one of their "
+      "moments on, with other execution noise and other actions. Of each figure two bounds: what "
+      "half of the repetitions foretell of the others, and what all foretell of themselves.");
+  prospect::tools::Options options;
+  prospect::tools::AddOptions(&app, &options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return prospect::tools::Run(options);
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "prospect-ceiling: %s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "prospect-ceiling: %s\n", error.what());
+    return 13;
+  }
+}
