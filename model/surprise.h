@@ -15,6 +15,10 @@ inline constexpr int kSurprisePatch = 6;
 /// beginning anew cost little.
 inline constexpr double kSurprising = 0.30;
 
+/// And above this after any action before it, when a hand may still hide things or a shadow lie
+/// where none was imagined: on the same scenes it finds 3 more lost plans and 3 more others.
+inline constexpr double kAlarming = 0.40;
+
 /// The greatest mean difference, from 0, of any patch of kSurprisePatch x kSurprisePatch pixels of
 /// two pictures (height x width x 3 bytes RGB, rows from the top). Half of a pixel's difference is
 /// that of its channels (mean absolute, 0 to 1), half that of its colourfulness (greatest channel

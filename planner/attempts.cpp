@@ -48,19 +48,27 @@ TaskRules RulesFor(TaskRules rules, const Attempt& attempt) {
   return rules;
 }
 
-Attempts::Attempts(TaskRules rules, int most, double below)
-    : rules_(std::move(rules)), most_(most), below_(below), attempt_{{}, rules_.plan_length} {}
+Attempts::Attempts(TaskRules rules, int most, Disbelief disbelief, double below)
+    : rules_(std::move(rules)),
+      most_(most),
+      disbelief_(disbelief),
+      below_(below),
+      attempt_{{}, rules_.plan_length} {}
 
-NextStep Attempts::Next(const SearchFor& search, bool surprised) {
+NextStep Attempts::Next(const SearchFor& search, double surprise) {
+  earlier_ = std::max(earlier_, surprise);
+  const bool surprised = surprise > disbelief_.now || earlier_ > disbelief_.earlier;
   NextStep next;
   next.plan = search(attempt_);
   const bool believed = next.plan.ok() && (!surprised || MayWait(next.plan.best.path));
-  if (may_begin_anew() && (!believed || next.plan.best.score < below_)) {
+  if (MayBeginAnewNow() && (!believed || next.plan.best.score < below_)) {
     const Attempt anew = BegunAnew(rules_, attempt_);
     Plan plan = search(anew);
     if (plan.ok() && (!believed || plan.best.score > next.plan.best.score)) {
       next = {NextStep::Kind::kAnew, -1, std::move(plan), next.plan.best.score};
+      if (surprised) next.surprise = surprise > disbelief_.now ? surprise : earlier_;
       attempt_ = anew;
+      earlier_ = 0;
       ++begun_anew_;
     }
   }
@@ -79,8 +87,16 @@ void Attempts::Follow(const Path& path) {
   rest_ = path;
 }
 
-bool Attempts::may_begin_anew() const {
+bool Attempts::MayBeginAnewNow() const {
   return MayStill() && MayBeginAnew(rules_, attempt_.executed);
+}
+
+bool Attempts::heeds_surprises() const {
+  if (begun_anew_ >= most_) return false;
+  for (int action = 0; action < rules_.num_actions; ++action) {
+    if (MayBeginAnew(rules_, {static_cast<std::uint8_t>(action)})) return true;
+  }
+  return false;
 }
 
 void Attempts::CarriedOut(int action) {

@@ -44,14 +44,22 @@ struct NextStep {
   int action = -1;      // to carry out; -1: none
   Plan plan;            // of the search that decided
   double going_on = 0;  // kAnew: what going on would have scored
+  // kAnew: the surprise that decided it, now or after an earlier action; 0: the scores did.
+  double surprise = 0;
+};
+
+// Above which surprise a plan is not believed any more. 0 to 1, however it is measured; 1: none.
+struct Disbelief {
+  double now = 1;      // of what is seen where one may begin anew
+  double earlier = 1;  // of what was seen after any action since the plan began
 };
 
 // Decides from one action to the next, over an episode. One thread.
 class Attempts {
  public:
   // At most `most` times something is begun anew, and only where going on scores less than `below`
-  // (0 to 1). 0 times: a plan that is lost is given up.
-  Attempts(TaskRules rules, int most, double below = 0.5);
+  // (0 to 1) or is not believed. 0 times: a plan that is lost is given up.
+  Attempts(TaskRules rules, int most, Disbelief disbelief = {}, double below = 0.5);
 
   // Searches the attempt from the present picture.
   using SearchFor = std::function<Plan(const Attempt&)>;
@@ -60,13 +68,15 @@ class Attempts {
   // be done: where one may begin anew, that is searched, too, and taken if it scores more; on the
   // way there the plan that was last acted on is carried on, since its path was imagined free.
   // Before the first action there is nothing of the kind: a refusal stays a refusal.
-  // `surprised`: what is seen is not what the plan imagined for now. Then the score of going on is
-  // not believed, and whatever may be begun anew is; but not before the last action that allows it,
-  // when all has been seen that there is to see.
-  NextStep Next(const SearchFor& search, bool surprised = false);
+  // `surprise`: how far what is seen is from what the plan imagined for now. Beyond Disbelief the
+  // score of going on is not believed, and whatever may be begun anew is; but not before the last
+  // action that allows it, when all has been seen that there is to see. What surprised after an
+  // earlier action is remembered until then: a block that was never lifted is not on a tower,
+  // though a search that begins without it in the hand may find another plan and surprise no more.
+  NextStep Next(const SearchFor& search, double surprise = 0);
 
-  // Whether a surprise would matter now.
-  bool may_begin_anew() const;
+  // Whether a surprise would matter, now or later.
+  bool heeds_surprises() const;
   // Actions carried out of the plan that is followed, since the search that first found it. A
   // search that finds its rest again follows it; one that finds another plan begins with 0.
   int followed() const { return followed_; }
@@ -82,12 +92,15 @@ class Attempts {
  private:
   void Follow(const Path& path);
   bool MayStill() const;
+  bool MayBeginAnewNow() const;
   bool MayWait(const Path& rest) const;
   bool RestLeadsToANewBeginning() const;
 
   TaskRules rules_;
   int most_;
+  Disbelief disbelief_;
   double below_;
+  double earlier_ = 0;  // the greatest surprise since the plan began
   Attempt attempt_;
   Path rest_;  // of the plan last acted on
   int followed_ = 0;

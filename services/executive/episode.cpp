@@ -388,27 +388,28 @@ void Episode::BeginAttempts() {
   const task_t& task = *talk_.view().task();
   planner::TaskRules rules = RulesFromTask(task);
   goal_.Set(task, &rules);
-  attempts_.emplace(std::move(rules), options_.retries);
+  attempts_.emplace(
+      std::move(rules), options_.retries,
+      planner::Disbelief{options_.surprise, std::max(options_.surprise, model::kAlarming)});
 }
 
 // `record` tells of the search that decided; of two, the other is told in its note.
 planner::NextStep Episode::Decide(SearchRecord* record) {
   std::vector<SearchRecord> records;
-  const double surprise = SurpriseNow();
-  const bool surprised = surprise > options_.surprise;
   const auto search = [&](const planner::Attempt& attempt) {
     planner::Plan plan;
     records.push_back(SearchOnce(attempt, &plan));
     return plan;
   };
-  const planner::NextStep next = attempts_->Next(search, surprised);
+  const planner::NextStep next = attempts_->Next(search, SurpriseNow());
   const bool anew = next.kind == planner::NextStep::Kind::kAnew;
   *record = anew ? std::move(records.back()) : std::move(records.front());
   if (next.action >= 0 && attempts_->followed() == 0) SetCourse(*record);
   if (anew) {
-    record->note = surprised ? "begins anew: a patch of the picture differs by " +
-                                   Number("%.2f", surprise) + " from what was imagined"
-                             : "begins anew: going on scored " + Number("%.2f", next.going_on);
+    record->note = next.surprise > 0
+                       ? "begins anew: a patch of the picture differs by " +
+                             Number("%.2f", next.surprise) + " from what was imagined"
+                       : "begins anew: going on scored " + Number("%.2f", next.going_on);
   }
   if (next.kind == planner::NextStep::Kind::kCarryOn) {
     record->note = "the plan is lost (" + record->reason + "): on to where it can begin anew";
@@ -424,10 +425,10 @@ void Episode::SetCourse(const SearchRecord& record) {
   for (const auto& step : record.steps) course_.push_back(step.imagined);
 }
 
-// Of what is seen, where that may decide to begin anew; else 0.
+// Of what is seen, where that may matter for beginning anew; else 0.
 double Episode::SurpriseNow() const {
   const auto done = static_cast<std::size_t>(attempts_->followed());
-  if (done == 0 || done > course_.size() || !attempts_->may_begin_anew()) return 0;
+  if (done == 0 || done > course_.size() || !attempts_->heeds_surprises()) return 0;
   const Picture& imagined = course_[done - 1];
   const Picture seen = PictureOf(latest_);
   if (imagined.empty() || imagined.width != seen.width || imagined.height != seen.height) return 0;

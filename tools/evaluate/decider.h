@@ -21,7 +21,8 @@ struct Decision {
   std::string reason;
   std::int64_t evaluations = 0;
   std::int64_t rollouts = 0;
-  double surprise = 0;      // where a plan may begin anew: model::Surprise of what is seen there
+  // model::Surprise of what is seen and of what the plan that is followed imagined
+  double surprise = 0;
   bool anew = false;        // the plan begins anew with this action
   bool carried_on = false;  // the plan is lost; on to where it can begin anew
 };

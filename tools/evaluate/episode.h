@@ -28,7 +28,7 @@ struct EpisodeRecord {
   std::int64_t rollouts = 0;
   std::vector<double> seconds_per_plan;  // wall clock of each decision
   std::vector<double> scores;            // of the plan that each decision was about
-  std::vector<double> surprises;         // of each decision; 0 where nothing can be begun anew
+  std::vector<double> surprises;         // of each decision; 0 where no plan was followed
   int begun_anew = 0;                    // times the plan was begun anew
   int carried_on = 0;                    // actions of plans given up as lost
 };

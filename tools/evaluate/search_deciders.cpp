@@ -1,5 +1,6 @@
 #include "tools/evaluate/search_deciders.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -49,7 +50,7 @@ class Searching : public Decider {
       : parameters_(std::move(parameters)),
         goal_(std::move(goal)),
         retries_(retries),
-        surprise_(surprise) {}
+        disbelief_{surprise, std::max(surprise, model::kAlarming)} {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>&) override {
     seed_ = scene_seed;
@@ -60,7 +61,7 @@ class Searching : public Decider {
   Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>& latest,
                   sim::Task& task) override {
     rules_ = RulesOf(task.spec(), goal_);
-    if (!attempts_) attempts_.emplace(rules_, retries_);
+    if (!attempts_) attempts_.emplace(rules_, retries_, disbelief_);
     for (; followed_ < executed.size(); ++followed_) attempts_->CarriedOut(executed[followed_]);
     Look(executed, latest, task);
     Decision decision;
@@ -73,12 +74,12 @@ class Searching : public Decider {
       return std::move(found.plan);
     };
     const std::size_t of_plan = static_cast<std::size_t>(attempts_->followed());
-    if (of_plan > 0 && attempts_->may_begin_anew()) {
+    if (of_plan > 0 && attempts_->heeds_surprises()) {
       const planner::Path since(executed.end() - static_cast<std::ptrdiff_t>(of_plan),
                                 executed.end());
       decision.surprise = Surprise(since, latest);
     }
-    const planner::NextStep next = attempts_->Next(search, decision.surprise > surprise_);
+    const planner::NextStep next = attempts_->Next(search, decision.surprise);
     if (next.action >= 0 && attempts_->followed() == 0) RememberStart();
     decision.action = next.action;
     decision.score = next.plan.best.score;
@@ -107,7 +108,7 @@ class Searching : public Decider {
   planner::SearchParameters parameters_;
   Goal goal_;
   int retries_;
-  double surprise_;
+  planner::Disbelief disbelief_;
   std::uint64_t seed_ = 0;
   planner::TaskRules rules_;
   std::optional<planner::Attempts> attempts_;

@@ -16,9 +16,9 @@ enum class PlanBy {
 };
 
 // Plans with the learned networks. `engine` outlives the decider. A plan that is lost is begun anew
-// at most `retries` times where the task allows it (planner/attempts.h); greedy never does. What is
-// seen there surprises it when model::Surprise of it and of what the plan imagined exceeds
-// `surprise`.
+// at most `retries` times where the task allows it (planner/attempts.h); greedy never does. It is
+// not believed when model::Surprise of what is seen there and of what the plan imagined exceeds
+// `surprise`, or model::kAlarming after any earlier action.
 std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
                                      const planner::SearchParameters& parameters,
                                      const Goal& goal = {}, int retries = 0, double surprise = 1);

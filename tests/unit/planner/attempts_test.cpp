@@ -148,17 +148,51 @@ TEST(Attempts, BeginsAnewOnlyWhereThatScoresMore) {
 
 // A picture that is not the imagined one outweighs a high score of going on.
 TEST(Attempts, BeginsAnewWhenSurprised) {
-  for (const bool surprised : {false, true}) {
-    Attempts attempts(PickAndPut(3), 1);
+  for (const double surprise : {0.2, 0.4}) {
+    Attempts attempts(PickAndPut(3), 1, {0.3, 1});
     attempts.CarriedOut(0);
-    EXPECT_FALSE(attempts.may_begin_anew());
     attempts.CarriedOut(4);
-    EXPECT_TRUE(attempts.may_begin_anew());
     Answers answers;
     answers.Set({0, 4}, 3, Scoring(0.9, {7}));
     answers.Set({4}, 4, Scoring(0.6, {1, 3, 6}));
-    EXPECT_EQ(attempts.Next(answers.Search(), surprised).action, surprised ? 1 : 7);
+    const NextStep next = attempts.Next(answers.Search(), surprise);
+    EXPECT_EQ(next.action, surprise > 0.3 ? 1 : 7);
+    EXPECT_DOUBLE_EQ(next.surprise, surprise > 0.3 ? surprise : 0);
   }
+}
+
+// What went wrong early is not forgotten because a later search finds another plan, which then
+// surprises no more; but it does not count against the plan that was begun anew.
+TEST(Attempts, RemembersAnEarlierSurpriseUntilItBeginsAnew) {
+  for (const double early : {0.35, 0.5}) {
+    Attempts attempts(PickAndPut(3), 2, {0.3, 0.4});
+    Answers answers;
+    answers.Set({0}, 3, Scoring(0.9, {4, 7}));
+    answers.Set({0, 4}, 3, Scoring(0.9, {7}));
+    answers.Set({4}, 4, Scoring(0.6, {1, 3, 6}));
+    answers.Set({4, 1}, 4, Scoring(0.6, {3, 6}));
+    answers.Set({4, 1, 3}, 4, Scoring(0.6, {6}));
+    attempts.CarriedOut(0);
+    NextStep next = attempts.Next(answers.Search(), early);
+    EXPECT_EQ(next.kind, NextStep::Kind::kAct) << "nothing can be begun anew here";
+    attempts.CarriedOut(next.action);
+    next = attempts.Next(answers.Search(), 0.1);
+    EXPECT_EQ(next.kind, early > 0.4 ? NextStep::Kind::kAnew : NextStep::Kind::kAct);
+    if (next.kind == NextStep::Kind::kAct) continue;
+    EXPECT_DOUBLE_EQ(next.surprise, early);
+    for (const int expected : {1, 3}) {
+      EXPECT_EQ(next.action, expected);
+      attempts.CarriedOut(next.action);
+      next = attempts.Next(answers.Search(), 0.1);
+    }
+    EXPECT_EQ(next.action, 6) << "the new plan is believed";
+  }
+}
+
+TEST(Attempts, HeedsSurprisesWhereItMayStillBeginAnew) {
+  EXPECT_TRUE(Attempts(PickAndPut(3), 1).heeds_surprises());
+  EXPECT_FALSE(Attempts(PickAndPut(3), 0).heeds_surprises());
+  EXPECT_FALSE(Attempts(AnyOrder(4, 3), 1).heeds_surprises()) << "visits are never begun anew";
 }
 
 // PickAndPut with 9, a step back after a put: from there, too, one may go home or pick again.
@@ -173,32 +207,31 @@ TaskRules PickPutAndStepBack(int plan_length) {
 
 // A hand that is still there hides what it has let go of.
 TEST(Attempts, WaitsForALaterViewWhenSurprised) {
-  Attempts attempts(PickPutAndStepBack(4), 1);
+  Attempts attempts(PickPutAndStepBack(4), 1, {0.3, 1});
   attempts.CarriedOut(0);
   attempts.CarriedOut(4);
-  ASSERT_TRUE(attempts.may_begin_anew());
   Answers answers;
   answers.Set({0, 4}, 4, Scoring(0.9, {9, 7}));
-  NextStep next = attempts.Next(answers.Search(), true);
+  NextStep next = attempts.Next(answers.Search(), 0.5);
   EXPECT_EQ(next.kind, NextStep::Kind::kAct);
   EXPECT_EQ(next.action, 9);
   attempts.CarriedOut(9);
   answers.Set({0, 4, 9}, 4, Scoring(0.9, {7}));
   answers.Set({9}, 5, Scoring(0.6, {1, 3, 9, 6}));
-  next = attempts.Next(answers.Search(), true);
+  next = attempts.Next(answers.Search(), 0.5);
   EXPECT_EQ(next.kind, NextStep::Kind::kAnew);
   EXPECT_EQ(next.action, 1);
 }
 
 // It is lost as it is, and waiting would not find it again.
 TEST(Attempts, WaitsForNothingWhereGoingOnIsRefused) {
-  Attempts attempts(PickPutAndStepBack(4), 1);
+  Attempts attempts(PickPutAndStepBack(4), 1, {0.3, 1});
   attempts.CarriedOut(0);
   attempts.CarriedOut(4);
   Answers answers;
   answers.Set({0, 4}, 4, Refused("lost"));
   answers.Set({4}, 5, Scoring(0.6, {1, 3, 9, 6}));
-  EXPECT_EQ(attempts.Next(answers.Search(), true).kind, NextStep::Kind::kAnew);
+  EXPECT_EQ(attempts.Next(answers.Search(), 0.5).kind, NextStep::Kind::kAnew);
 }
 
 TEST(Attempts, CountsWhatWasCarriedOutOfOnePlan) {
