@@ -1,6 +1,5 @@
 #include "sim/scene_camera.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -8,11 +7,11 @@
 #include <string>
 
 #include "sim/embree_scene.h"
+#include "sim/traced_picture.h"
 
 namespace prospect::sim {
 namespace {
 
-constexpr int kLanes = 4;  // rays traced together: a pixel's 2 x 2 samples
 constexpr float kAlike =
     16.f / 255;  // difference of corners up to which a pixel needs no samples of its own
 constexpr float kLift = 2e-4f;  // m above a surface from which its shadow is asked for
@@ -39,24 +38,6 @@ View MakeView(const CameraDescription& camera, int width, int height) {
 
 Eigen::Vector3f Direction(const View& view, float u, float v) {
   return view.forward + view.right * (2 * u - 1) + view.up * (1 - 2 * v);
-}
-
-std::uint8_t ToByte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(std::lround(value * 255.f), 0L, 255L));
-}
-
-// Whether a pixel's four corners show nearly one colour; their mean goes to *color.
-bool Agree(const Color above[2], const Color below[2], Color* color) {
-  const Color low = above[0].cwiseMin(above[1]).cwiseMin(below[0]).cwiseMin(below[1]);
-  const Color high = above[0].cwiseMax(above[1]).cwiseMax(below[0]).cwiseMax(below[1]);
-  *color = (above[0] + above[1] + below[0] + below[1]) * 0.25f;
-  return (high - low).maxCoeff() < kAlike;
-}
-
-void CheckSize(int width, int height) {
-  if (width < 1 || height < 1 || width > 4096 || height > 4096) {
-    throw std::invalid_argument("a picture is 1 to 4096 pixels wide and high");
-  }
 }
 
 }  // namespace
@@ -89,8 +70,6 @@ struct SceneCamera::Impl {
   void Place(Piece* piece, const Eigen::Isometry3d& pose);
   void Trace(const View& view, const float u[kLanes], const float v[kLanes],
              Color colors[kLanes]) const;
-  void Corners(const View& view, int y, int width, int height, std::vector<Color>* corners) const;
-  Color FinePixel(const View& view, int x, int y, int width, int height) const;
   void Shade(const RTCRayHit4& rays, Color colors[kLanes]) const;
   void Shadows(const RTCRayHit4& rays, const Eigen::Vector3f normals[kLanes],
                bool lit[kLanes]) const;
@@ -190,32 +169,6 @@ void SceneCamera::Impl::Trace(const View& view, const float u[kLanes], const flo
   Shade(rays, colors);
 }
 
-// The colours along the upper edges' corners of pixel row `y`: width + 1 of them, and room for what
-// fills the last lanes.
-void SceneCamera::Impl::Corners(const View& view, int y, int width, int height,
-                                std::vector<Color>* corners) const {
-  corners->resize(static_cast<std::size_t>(width) + kLanes);
-  for (int x = 0; x <= width; x += kLanes) {
-    float u[kLanes], v[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      u[i] = static_cast<float>(x + i) / width;
-      v[i] = static_cast<float>(y) / height;
-    }
-    Trace(view, u, v, corners->data() + x);
-  }
-}
-
-Color SceneCamera::Impl::FinePixel(const View& view, int x, int y, int width, int height) const {
-  float u[kLanes], v[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    u[i] = (static_cast<float>(x) + (i % 2 == 0 ? 0.25f : 0.75f)) / width;
-    v[i] = (static_cast<float>(y) + (i / 2 == 0 ? 0.25f : 0.75f)) / height;
-  }
-  Color colors[kLanes];
-  Trace(view, u, v, colors);
-  return (colors[0] + colors[1] + colors[2] + colors[3]) * 0.25f;
-}
-
 void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) const {
   Eigen::Vector3f normals[kLanes];
   bool lit[kLanes];
@@ -274,34 +227,18 @@ SceneCamera::~SceneCamera() = default;
 Image SceneCamera::Render(const CameraDescription& camera,
                           const std::vector<Eigen::Isometry3d>& poses, double light, int width,
                           int height) {
-  CheckSize(width, height);
+  CheckPictureSize(width, height);
   impl_->Pose(poses);
   const View view = MakeView(camera, width, height);
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
-  std::uint8_t* pixel = image.rgb.data();
-  std::vector<Color> above, below;
-  impl_->Corners(view, 0, width, height, &above);
-  for (int y = 0; y < height; ++y, above.swap(below)) {
-    impl_->Corners(view, y + 1, width, height, &below);
-    for (int x = 0; x < width; ++x) {
-      Color color;
-      if (!Agree(above.data() + x, below.data() + x, &color)) {
-        color = impl_->FinePixel(view, x, y, width, height);
-      }
-      color *= static_cast<float>(light);
-      for (int k = 0; k < 3; ++k) *pixel++ = ToByte(color[k]);
-    }
-  }
-  return image;
+  return TracedPicture(
+      width, height, kAlike, light,
+      [&](const float* u, const float* v, Color* colors) { impl_->Trace(view, u, v, colors); });
 }
 
 DepthImage SceneCamera::RenderDepth(const CameraDescription& camera,
                                     const std::vector<Eigen::Isometry3d>& poses, int width,
                                     int height) {
-  CheckSize(width, height);
+  CheckPictureSize(width, height);
   impl_->Pose(poses);
   const View view = MakeView(camera, width, height);
   DepthImage image;

@@ -10,6 +10,7 @@
 #include "sim/embree_scene.h"
 #include "sim/suturing/suturing_world.h"
 #include "sim/suturing/visuals.h"
+#include "sim/traced_picture.h"
 
 namespace prospect::sim {
 namespace {
@@ -18,7 +19,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int kLanes = 4;             // rays traced together: a pixel's 2 x 2 samples
 constexpr float kAlike = 14.f / 255;  // difference of corners that needs no samples of its own
 constexpr float kLift = 1e-4f;        // m above a surface from which its shadow is asked for
 constexpr float kThreadRadius = 0.42e-3f;
@@ -52,24 +52,6 @@ View MakeView(const SuturingLook& look, double sideways, int width, int height) 
   return view;
 }
 
-std::uint8_t ToByte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(std::lround(value * 255.f), 0L, 255L));
-}
-
-void CheckSize(int width, int height) {
-  if (width < 1 || height < 1 || width > 4096 || height > 4096) {
-    throw std::invalid_argument("a picture is 1 to 4096 pixels wide and high");
-  }
-}
-
-// Whether a pixel's four corners show nearly one colour; their mean goes to *color.
-bool Agree(const Color above[2], const Color below[2], Color* color) {
-  const Color low = above[0].cwiseMin(above[1]).cwiseMin(below[0]).cwiseMin(below[1]);
-  const Color high = above[0].cwiseMax(above[1]).cwiseMax(below[0]).cwiseMax(below[1]);
-  *color = (above[0] + above[1] + below[0] + below[1]) * 0.25f;
-  return (high - low).maxCoeff() < kAlike;
-}
-
 }  // namespace
 
 struct Endoscope::Impl {
@@ -90,8 +72,6 @@ struct Endoscope::Impl {
   void PlaceThread(const std::vector<Strand>& strands);
   void Trace(const View& view, const float u[kLanes], const float v[kLanes],
              Color colors[kLanes]) const;
-  void Row(const View& view, int y, int width, int height, std::vector<Color>* corners) const;
-  Color FinePixel(const View& view, int x, int y, int width, int height) const;
   void Lit(const Vector3f at[kLanes], const Vector3f normals[kLanes], bool lit[kLanes]) const;
   Color Shaded(unsigned geometry, unsigned primitive, const Vector3f& at, const Vector3f& normal,
                const Vector3f& ray, bool lit) const;
@@ -283,32 +263,6 @@ Color Endoscope::Impl::Shaded(unsigned geometry, unsigned primitive, const Vecto
   return out + Color::Constant(gloss.strength * mirror * light);
 }
 
-// The colours along the upper edges' corners of pixel row `y`: width + 1 of them, and room for what
-// fills the last lanes.
-void Endoscope::Impl::Row(const View& view, int y, int width, int height,
-                          std::vector<Color>* corners) const {
-  corners->resize(static_cast<std::size_t>(width) + kLanes);
-  for (int x = 0; x <= width; x += kLanes) {
-    float u[kLanes], v[kLanes];
-    for (int i = 0; i < kLanes; ++i) {
-      u[i] = static_cast<float>(x + i) / width;
-      v[i] = static_cast<float>(y) / height;
-    }
-    Trace(view, u, v, corners->data() + x);
-  }
-}
-
-Color Endoscope::Impl::FinePixel(const View& view, int x, int y, int width, int height) const {
-  float u[kLanes], v[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    u[i] = (static_cast<float>(x) + (i % 2 == 0 ? 0.25f : 0.75f)) / width;
-    v[i] = (static_cast<float>(y) + (i / 2 == 0 ? 0.25f : 0.75f)) / height;
-  }
-  Color colors[kLanes];
-  Trace(view, u, v, colors);
-  return (colors[0] + colors[1] + colors[2] + colors[3]) * 0.25f;
-}
-
 Endoscope::Endoscope(const SuturingParameters& parameters, const SuturingLook& look)
     : impl_(std::make_unique<Impl>(parameters, look)) {}
 
@@ -316,7 +270,7 @@ Endoscope::~Endoscope() = default;
 
 Image Endoscope::Render(const std::vector<Isometry3d>& poses, const std::vector<Strand>& thread,
                         double light, double sideways, int width, int height) {
-  CheckSize(width, height);
+  CheckPictureSize(width, height);
   if (poses.size() != kMoving) {
     throw std::invalid_argument("the endoscope sees " + std::to_string(kMoving) +
                                 " moving things, not " + std::to_string(poses.size()));
@@ -325,25 +279,9 @@ Image Endoscope::Render(const std::vector<Isometry3d>& poses, const std::vector<
   impl_->PlaceThread(thread);
   rtcCommitScene(impl_->scene);
   const View view = MakeView(impl_->look, sideways, width, height);
-  Image image;
-  image.width = width;
-  image.height = height;
-  image.rgb.resize(static_cast<std::size_t>(width) * height * 3);
-  std::uint8_t* pixel = image.rgb.data();
-  std::vector<Color> above, below;
-  impl_->Row(view, 0, width, height, &above);
-  for (int y = 0; y < height; ++y, above.swap(below)) {
-    impl_->Row(view, y + 1, width, height, &below);
-    for (int x = 0; x < width; ++x) {
-      Color color;
-      if (!Agree(above.data() + x, below.data() + x, &color)) {
-        color = impl_->FinePixel(view, x, y, width, height);
-      }
-      color *= static_cast<float>(light);
-      for (int k = 0; k < 3; ++k) *pixel++ = ToByte(color[k]);
-    }
-  }
-  return image;
+  return TracedPicture(
+      width, height, kAlike, light,
+      [&](const float* u, const float* v, Color* colors) { impl_->Trace(view, u, v, colors); });
 }
 
 Eigen::Vector2d SeenAt(const SuturingLook& look, const Vector3d& point, int width, int height) {
