@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
 #include "tools/common/json_file.h"
+#include "tools/common/program.h"
 #include "tools/common/progress.h"
 
 namespace {
@@ -171,17 +171,8 @@ int main(int argc, char** argv) {
   CLI::App app("Picks and places where nothing is in the way, without and with execution noise");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
+  return tools::RunProgram("prospect bench picks", &app, argc, argv, [&] {
     Run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect bench picks: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect bench picks: " << error.what() << '\n';
-    return 13;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -3,9 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "sim/task_factory.h"
 #include "tools/bench/cpu_clock.h"
 #include "tools/common/json_file.h"
+#include "tools/common/program.h"
 
 namespace {
 
@@ -136,17 +135,8 @@ int main(int argc, char** argv) {
   CLI::App app("How fast each world runs on one core, and where its time goes");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
+  return tools::RunProgram("prospect bench sim", &app, argc, argv, [&] {
     Run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect bench sim: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect bench sim: " << error.what() << '\n';
-    return 13;
-  }
-  return 0;
+    return 0;
+  });
 }

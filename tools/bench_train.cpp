@@ -2,13 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "tools/bench/train_bench.h"
 #include "tools/common/json_file.h"
+#include "tools/common/program.h"
 
 namespace {
 
@@ -60,19 +59,10 @@ int main(int argc, char** argv) {
   TrainBenchOptions options;
   std::string json_file;
   AddOptions(&app, &options, &json_file);
-  try {
-    app.parse(argc, argv);
+  return prospect::tools::RunProgram("prospect bench train", &app, argc, argv, [&] {
     const json figures = prospect::tools::BenchTraining(options);
     Print(figures);
     if (!json_file.empty()) prospect::tools::WriteJsonFile(json_file, figures);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect bench train: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect bench train: " << error.what() << '\n';
-    return 13;
-  }
-  return 0;
+    return 0;
+  });
 }

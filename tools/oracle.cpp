@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
-#include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -19,6 +18,7 @@
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
 #include "tools/common/json_file.h"
+#include "tools/common/program.h"
 #include "tools/common/progress.h"
 
 namespace {
@@ -205,18 +205,5 @@ int main(int argc, char** argv) {
   CLI::App app("What can be achieved in the scenes of a task");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return Run(options);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect-oracle: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect-oracle: " << error.what() << '\n';
-    return 13;
-  }
+  return tools::RunProgram("prospect-oracle", &app, argc, argv, [&] { return Run(options); });
 }

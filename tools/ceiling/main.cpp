@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "tools/ceiling/replay.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/json_file.h"
+#include "tools/common/program.h"
 #include "tools/common/progress.h"
 
 namespace prospect::tools {
@@ -167,18 +167,6 @@ int main(int argc, char** argv) {
       "half of the repetitions foretell of the others, and what all foretell of themselves.");
   prospect::tools::Options options;
   prospect::tools::AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return prospect::tools::Run(options);
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-ceiling: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-ceiling: %s\n", error.what());
-    return 13;
-  }
+  return prospect::tools::RunProgram("prospect-ceiling", &app, argc, argv,
+                                     [&] { return prospect::tools::Run(options); });
 }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <stdexcept>
+
+namespace prospect::tools {
+
+/// The end of main() of a program that needs no libtorch (others: Guarded in guarded.h): reads the
+/// arguments, runs, tells errors on standard error after the program's name. Returns run()'s code;
+/// usage 2 (also std::invalid_argument), anything else that was thrown 13 (DESIGN §6).
+inline int RunProgram(const char* name, CLI::App* app, int argc, char** argv,
+                      const std::function<int()>& run) {
+  try {
+    app->parse(argc, argv);
+    return run();
+  } catch (const CLI::ParseError& error) {
+    return app->exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 13;
+  }
+}
+
+}  // namespace prospect::tools
