@@ -16,7 +16,8 @@ inline constexpr int kSurprisePatch = 6;
 inline constexpr double kSurprising = 0.30;
 
 /// And above this after any action before it, when a hand may still hide things or a shadow lie
-/// where none was imagined: on the same scenes it finds 3 more lost plans and 3 more others.
+/// where none was imagined: on the 300 calibration scenes 3 more of the lost plans are finished,
+/// and 8 plans that were not lost begin anew, 7 of which succeed all the same.
 inline constexpr double kAlarming = 0.40;
 
 /// The greatest mean difference, from 0, of any patch of kSurprisePatch x kSurprisePatch pixels of
