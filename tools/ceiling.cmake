@@ -9,5 +9,5 @@ prospect_target(prospect_ceiling_lib)
 target_link_libraries(prospect_ceiling_lib PUBLIC prospect_sim)
 add_executable(prospect-ceiling ${ceiling}/main.cpp)
 prospect_target(prospect-ceiling)
-target_link_libraries(prospect-ceiling PRIVATE prospect_ceiling_lib prospect_dataset prospect_tools_common
+target_link_libraries(prospect-ceiling PRIVATE prospect_ceiling_lib prospect_collect_lib
   CLI11::CLI11 nlohmann_json::nlohmann_json)

@@ -3,6 +3,7 @@
 // noise, and actions that nobody has chosen yet, are what no picture tells.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <map>
@@ -13,9 +14,10 @@
 
 #include "model/trial.h"
 #include "sim/random.h"
-#include "sim/task_factory.h"
 #include "tools/ceiling/foretold.h"
 #include "tools/ceiling/replay.h"
+#include "tools/collect/collector.h"
+#include "tools/collect/scene_tasks.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/json_file.h"
 #include "tools/common/program.h"
@@ -29,16 +31,21 @@ using nlohmann::json;
 constexpr std::uint64_t kMomentStream = 0x6d6f6d656e74ULL;
 
 struct Options {
-  std::string task = "stacking";
+  CollectOptions collect;  // task, scenes and the first seed, as the data set was made with
   int trials = 500;
   int runs = 10;
-  std::uint64_t seed = 0;
   int jobs = 2;
   std::string json_file;
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_option("--task", o->task, "The task")->capture_default_str();
+  o->collect.task = "stacking";
+  app->add_option("--task", o->collect.task, "The task")->capture_default_str();
+  app->add_option("--objects", o->collect.objects, "As the data set's: 4 to 7, or mixed")
+      ->capture_default_str();
+  app->add_option("--legs", o->collect.legs, "As the data set's: 3 to 5, or mixed")
+      ->capture_default_str();
+  app->add_option("--tower", o->collect.tower, "As the data set's: 2 to 4")->capture_default_str();
   app->add_option("--trials", o->trials,
                   "Test trials to look at; from those that last long enough one moment is taken")
       ->check(CLI::Range(1, 100'000))
@@ -46,7 +53,8 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--runs", o->runs, "Repetitions from each moment, in each of three ways")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  app->add_option("--seed", o->seed, "Seed of the first trial; only those of the test part count")
+  app->add_option("--seed", o->collect.seed,
+                  "Seed of the first trial; only those of the test part count")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{999'999}))
       ->capture_default_str();
   app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 256))->capture_default_str();
@@ -55,7 +63,8 @@ void AddOptions(CLI::App* app, Options* o) {
 
 std::vector<std::uint64_t> TestSeeds(const Options& options) {
   std::vector<std::uint64_t> seeds;
-  for (std::uint64_t seed = options.seed; static_cast<int>(seeds.size()) < options.trials; ++seed) {
+  for (std::uint64_t seed = options.collect.seed; static_cast<int>(seeds.size()) < options.trials;
+       ++seed) {
     if (model::SplitOf(seed) == model::Split::kTest) seeds.push_back(seed);
   }
   return seeds;
@@ -69,8 +78,7 @@ Repetitions FromJson(const json& j) { return {{j[0], j[1]}, {j[2], j[3]}}; }
 
 // Uniform over all moments of all trials: a number is drawn first, and trials that do not last so
 // long give none.
-json LookAt(sim::Task& task, std::uint64_t seed, int runs) {
-  const int most = 2 * task.spec().plan_length;
+json LookAt(sim::Task& task, std::uint64_t seed, int runs, int most) {
   const int number = sim::Random(sim::MixSeeds({seed, kMomentStream})).Below(most + 1);
   const std::optional<Moment> moment = Replay(task, seed, number, runs);
   if (!moment) return json::object();
@@ -128,16 +136,28 @@ void Print(const json& report) {
   }
 }
 
+// No trial has more actions: each begins anew at most once.
+int MostActions(const Options& options, const std::vector<std::uint64_t>& seeds) {
+  SceneTasks tasks(options.collect.task);
+  int most = 0;
+  for (const std::uint64_t seed : seeds) {
+    most = std::max(most, 2 * tasks.Get(SceneOptions(options.collect, seed)).spec().plan_length);
+  }
+  return most;
+}
+
 int Run(const Options& options) {
-  sim::MakeTask(options.task, {});  // refuses an unknown task before any process starts
   const std::vector<std::uint64_t> seeds = TestSeeds(options);
+  const int most = MostActions(options, seeds);  // refuses an unknown task, too
   std::map<std::string, Bounds> rows;
   int moments = 0;
   Progress progress("trials", options.trials);
   const auto worker = [&] {
-    auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, {}));
-    return [&seeds, &options, task](int i) {
-      return LookAt(*task, seeds[static_cast<std::size_t>(i)], options.runs).dump();
+    auto tasks = std::make_shared<SceneTasks>(options.collect.task);
+    return [&seeds, &options, tasks, most](int i) {
+      const std::uint64_t seed = seeds[static_cast<std::size_t>(i)];
+      sim::Task& task = tasks->Get(SceneOptions(options.collect, seed));
+      return LookAt(task, seed, options.runs, most).dump();
     };
   };
   ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
@@ -146,7 +166,7 @@ int Run(const Options& options) {
     for (const auto& [name, repetitions] : one.items()) rows[name].Add(FromJson(repetitions));
     progress.Step(std::to_string(moments) + " moments");
   });
-  json report = {{"task", options.task},
+  json report = {{"task", options.collect.task},
                  {"trials", options.trials},
                  {"runs", options.runs},
                  {"moments", moments},

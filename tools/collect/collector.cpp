@@ -12,6 +12,7 @@
 
 #include "model/dataset.h"
 #include "sim/random.h"
+#include "tools/collect/scene_tasks.h"
 #include "tools/collect/trial_recorder.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
@@ -95,23 +96,7 @@ json Line(const model::Trial& trial, bool kept) {
           {"kept", kept}};
 }
 
-// Tasks by their options, made when first needed: making one costs more than resetting it.
-class Tasks {
- public:
-  explicit Tasks(std::string name) : name_(std::move(name)) {}
-
-  sim::Task& Get(const sim::TaskOptions& options) {
-    std::unique_ptr<sim::Task>& task = tasks_[{options.objects, options.legs}];
-    if (task == nullptr) task = sim::MakeTask(name_, options);
-    return *task;
-  }
-
- private:
-  std::string name_;
-  std::map<std::pair<int, int>, std::unique_ptr<sim::Task>> tasks_;
-};
-
-json CollectOne(const CollectOptions& options, std::uint64_t seed, Tasks* tasks) {
+json CollectOne(const CollectOptions& options, std::uint64_t seed, SceneTasks* tasks) {
   const std::string path = PartPath(options, seed);
   if (fs::exists(path) && model::IsWholeTrialFile(path)) {
     return Line(model::TrialFile(path).ReadLabels(0), true);
@@ -123,7 +108,7 @@ json CollectOne(const CollectOptions& options, std::uint64_t seed, Tasks* tasks)
 }
 
 std::function<std::string(int)> MakeWorker(const CollectOptions& options) {
-  auto tasks = std::make_shared<Tasks>(options.task);
+  auto tasks = std::make_shared<SceneTasks>(options.task);
   return
       [options, tasks](int i) { return CollectOne(options, options.seed + i, tasks.get()).dump(); };
 }

@@ -27,8 +27,8 @@ class TrialRecorder : public sim::FrameSink {
   model::Trial trial_;
 };
 
-// Carries out trial `seed` of `task`: a random legal plan (sim/random_plan.h). The choice of actions
-// has a stream of its own, so it does not depend on the world's noise.
+// Carries out trial `seed` of `task`: a random legal plan (sim/random_plan.h). The choice of
+// actions has a stream of its own, so it does not depend on the world's noise.
 model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise);
 
 // Hexadecimal text of a task's hash, as data sets store it.
