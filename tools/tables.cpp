@@ -193,10 +193,23 @@ class Tables {
            "shows no change; it and C's own label are taken of every fifth example.\n";
   }
 
+  // Whom the others are compared with: L1 (two linked steps, nothing else), else the first trained.
+  const Line& Reference() const {
+    const Line* first = nullptr;
+    for (const Line& line : lines_) {
+      if (!line.is_model || !line.row) continue;
+      if (line.name == "L1") return line;
+      if (first == nullptr) first = &line;
+    }
+    return *first;  // the constructor saw to it that there is one
+  }
+
   void Write() const {
-    const std::string text = "# Predicted pictures\n\n" + Caption() +
-                             "\n## Successful trials only\n\n" + MarkdownTable(lines_, true) +
-                             "\n## All trials\n\n" + MarkdownTable(lines_, false);
+    std::string text = "# Predicted pictures\n\n" + Caption() + "\n## Successful trials only\n\n" +
+                       MarkdownTable(lines_, true) + "\n## All trials\n\n" +
+                       MarkdownTable(lines_, false);
+    const std::string differences = DifferencesTable(lines_, Reference());
+    if (!differences.empty()) text += "\n## Differences, on the same trials\n\n" + differences;
     WriteText(a_.out + "/tables.md", text);
     WriteText(a_.out + "/tables.csv", CsvTables(lines_));
     std::printf("%s\n%s/tables.md and tables.csv\n", text.c_str(), a_.out.c_str());

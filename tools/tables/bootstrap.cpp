@@ -1,6 +1,8 @@
 #include "tools/tables/bootstrap.h"
 
 #include <algorithm>
+#include <functional>
+#include <stdexcept>
 
 #include "model/training/random.h"
 
@@ -24,21 +26,44 @@ double OneDraw(const std::vector<TrialSums>& trials, Column column, int draw) {
   return MeanOf(sum, count);
 }
 
+double Mean(const std::vector<TrialSums>& trials, Column column) {
+  TrialSums total;
+  for (const TrialSums& trial : trials) total.Add(trial);
+  return MeanOf(total.sum[column], total.Count(column));
+}
+
+double Examples(const std::vector<TrialSums>& trials, Column column) {
+  double examples = 0;
+  for (const TrialSums& trial : trials) examples += trial.Count(column);
+  return examples;
+}
+
+// `value` between the percentiles of `one_draw`.
+Estimate Between(double value, double examples, const std::function<double(int)>& one_draw) {
+  std::vector<double> means;
+  for (int draw = 0; draw < kDraws; ++draw) means.push_back(one_draw(draw));
+  std::sort(means.begin(), means.end());
+  return {value, means[kDraws / 40], means[kDraws - 1 - kDraws / 40], examples};
+}
+
 }  // namespace
 
 Estimate Bootstrap(const std::vector<TrialSums>& trials, Column column) {
-  TrialSums total;
-  for (const TrialSums& trial : trials) total.Add(trial);
-  Estimate estimate;
-  estimate.examples = total.Count(column);
-  if (estimate.examples == 0) return estimate;
-  estimate.value = MeanOf(total.sum[column], estimate.examples);
-  std::vector<double> means;
-  for (int draw = 0; draw < kDraws; ++draw) means.push_back(OneDraw(trials, column, draw));
-  std::sort(means.begin(), means.end());
-  estimate.low = means[kDraws / 40];
-  estimate.high = means[kDraws - 1 - kDraws / 40];
-  return estimate;
+  const double examples = Examples(trials, column);
+  if (examples == 0) return {};
+  return Between(Mean(trials, column), examples,
+                 [&](int draw) { return OneDraw(trials, column, draw); });
+}
+
+Estimate BootstrapDifference(const std::vector<TrialSums>& trials,
+                             const std::vector<TrialSums>& others, Column column) {
+  if (trials.size() != others.size())
+    throw std::invalid_argument("rows to compare are of different trials");
+  const double examples = std::min(Examples(trials, column), Examples(others, column));
+  if (examples == 0) return {};
+  return Between(Mean(trials, column) - Mean(others, column), examples, [&](int draw) {
+    return OneDraw(trials, column, draw) - OneDraw(others, column, draw);
+  });
 }
 
 }  // namespace prospect::tools

@@ -18,4 +18,10 @@ struct Estimate {
 /// trial has an example.
 Estimate Bootstrap(const std::vector<TrialSums>& trials, Column column);
 
+/// How much more the mean of `trials` is than that of `others`: the same trials, in the same order,
+/// seen by two models. Each draw takes the same trials of both, so what makes a trial hard for
+/// either does not widen the interval. Throws std::invalid_argument if their numbers differ.
+Estimate BootstrapDifference(const std::vector<TrialSums>& trials,
+                             const std::vector<TrialSums>& others, Column column);
+
 }  // namespace prospect::tools

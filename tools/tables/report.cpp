@@ -65,6 +65,29 @@ std::string MarkdownLine(const Line& line, bool successful_only) {
   return text + (line.seconds > 0 ? Text(" %.0f |", line.seconds) : std::string(" |")) + "\n";
 }
 
+std::string DifferenceCell(const Estimate& e, Form form) {
+  if (e.examples == 0) return "";
+  if (form == Form::kShare)
+    return Text("%+.1f [%+.1f, %+.1f]", 100 * e.value, 100 * e.low, 100 * e.high);
+  return Text("%+.4f [%+.4f, %+.4f]", e.value, e.low, e.high);
+}
+
+constexpr int kCompared = 4;  // of kHeadings: labels and errors
+
+std::string DifferencesLine(const Line& line, const Line& reference) {
+  std::string text = "| " + line.name + " |";
+  for (const bool successful_only : {true, false}) {
+    const std::vector<TrialSums> sums = SumsOf(*line.row, successful_only);
+    const std::vector<TrialSums> others = SumsOf(*reference.row, successful_only);
+    for (int i = 0; i < kCompared; ++i) {
+      const Heading& heading = kHeadings[i];
+      const Estimate difference = BootstrapDifference(sums, others, heading.column);
+      text += " " + DifferenceCell(difference, heading.form) + " |";
+    }
+  }
+  return text + "\n";
+}
+
 std::string CsvCells(const Estimate& e) {
   if (e.examples == 0) return ",,,,";
   return Text(",%.6f,%.6f,%.6f,%.0f", e.value, e.low, e.high, e.examples);
@@ -91,6 +114,23 @@ std::string MarkdownTable(const std::vector<Line>& lines, bool successful_only) 
   text += " examples | iterations of T | seconds |\n" + rule + "---|---|---|\n";
   for (const Line& line : lines) text += MarkdownLine(line, successful_only);
   return text;
+}
+
+std::string DifferencesTable(const std::vector<Line>& lines, const Line& reference) {
+  std::string rows;
+  for (const Line& line : lines) {
+    if (line.is_model && line.row && line.name != reference.name)
+      rows += DifferencesLine(line, reference);
+  }
+  if (rows.empty()) return "";
+  std::string text = "| less " + reference.name + " |", rule = "|---|";
+  for (const char* trials : {"successful: ", "all: "}) {
+    for (int i = 0; i < kCompared; ++i) {
+      text += std::string(" ") + trials + kHeadings[i].text + " |";
+      rule += "---|";
+    }
+  }
+  return text + "\n" + rule + "\n" + rows;
 }
 
 std::string CsvTables(const std::vector<Line>& lines) {

@@ -86,6 +86,24 @@ TEST(Bootstrap, OfNothingIsNothing) {
   EXPECT_EQ(Bootstrap({TrialSums()}, kX1Error).value, 0);
 }
 
+// One model is 0.01 worse on every trial, though trials differ by far more than that.
+TEST(Bootstrap, ADifferenceIsTakenTrialByTrial) {
+  std::vector<TrialSums> one, other;
+  for (int i = 0; i < 30; ++i) {
+    one.push_back(SumsOf(10, 0.1 * (i % 3) + 0.01));
+    other.push_back(SumsOf(10, 0.1 * (i % 3)));
+  }
+  const Estimate difference = BootstrapDifference(one, other, kX1Error);
+  EXPECT_NEAR(difference.value, 0.01, 1e-12);
+  EXPECT_NEAR(difference.low, 0.01, 1e-12);
+  EXPECT_NEAR(difference.high, 0.01, 1e-12);
+  const Estimate alone = Bootstrap(one, kX1Error);
+  EXPECT_GT(alone.high - alone.low, 0.04);
+  other.pop_back();
+  EXPECT_THROW(BootstrapDifference(one, other, kX1Error), std::invalid_argument);
+  EXPECT_EQ(BootstrapDifference({}, {}, kX1Error).examples, 0);
+}
+
 Row RowOf(double error_of_success, double error_of_failure) {
   Row row;
   row.trials.push_back({1, true, SumsOf(10, error_of_success)});
@@ -109,6 +127,19 @@ TEST(Report, SaysWhatWasNotTrained) {
   const std::string table = MarkdownTable({line}, false);
   EXPECT_NE(table.find("| cGAN |"), std::string::npos);
   EXPECT_NE(table.find("not trained"), std::string::npos);
+}
+
+TEST(Report, TellsHowModelsDiffer) {
+  const Line copy{"copy x", RowOf(0.5, 0.5)}, l1{"L1", RowOf(0.1, 0.2), true},
+      skipless{"No Skips", RowOf(0.15, 0.2), true}, absent{"cGAN", std::nullopt, true};
+  const std::string table = DifferencesTable({copy, l1, skipless, absent}, l1);
+  EXPECT_NE(table.find("| No Skips | +0.0 [+0.0, +0.0] | +0.0500 [+0.0500, +0.0500] |"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("| +0.0125 ["), std::string::npos) << "of all 40 examples";
+  EXPECT_EQ(table.find("copy"), std::string::npos);
+  EXPECT_EQ(table.find("cGAN"), std::string::npos);
+  EXPECT_EQ(DifferencesTable({copy, l1, absent}, l1), "");
 }
 
 std::size_t Fields(const std::string& line) {
