@@ -101,6 +101,7 @@ bool Attempts::heeds_surprises() const {
 
 void Attempts::CarriedOut(int action) {
   attempt_.executed.push_back(static_cast<std::uint8_t>(action));
+  if (MayComeFirst(rules_, action)) earlier_ = 0;  // the next tower, say, after a finished one
   if (!rest_.empty() && rest_.front() == action) {
     rest_.erase(rest_.begin());
     ++followed_;

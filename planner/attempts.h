@@ -51,7 +51,7 @@ struct NextStep {
 // Above which surprise a plan is not believed any more. 0 to 1, however it is measured; 1: none.
 struct Disbelief {
   double now = 1;      // of what is seen where one may begin anew
-  double earlier = 1;  // of what was seen after any action since the plan began
+  double earlier = 1;  // of what was seen after any action of the part that may be begun anew
 };
 
 // Decides from one action to the next, over an episode. One thread.
@@ -100,7 +100,7 @@ class Attempts {
   int most_;
   Disbelief disbelief_;
   double below_;
-  double earlier_ = 0;  // the greatest surprise since the plan began
+  double earlier_ = 0;  // the greatest surprise of the unfinished part
   Attempt attempt_;
   Path rest_;  // of the plan last acted on
   int followed_ = 0;

@@ -189,6 +189,19 @@ TEST(Attempts, RemembersAnEarlierSurpriseUntilItBeginsAnew) {
   }
 }
 
+// A first tower that surprised is not mended by beginning the second one anew.
+TEST(Attempts, ForgetsASurpriseWithThePartItWasAbout) {
+  Attempts attempts(PickAndPut(6), 1, {0.3, 0.4});
+  Answers answers;
+  answers.Set({0}, 6, Scoring(0.9, {4, 7, 1, 5, 8}));
+  answers.Set({0, 4, 7, 1, 5}, 6, Scoring(0.9, {8}));
+  answers.Set({0, 4, 7, 5}, 7, Scoring(0.6, {1, 3, 6}));
+  attempts.CarriedOut(0);
+  attempts.Next(answers.Search(), 0.9);
+  for (const int action : {4, 7, 1, 5}) attempts.CarriedOut(action);
+  EXPECT_EQ(attempts.Next(answers.Search(), 0.1).action, 8);
+}
+
 TEST(Attempts, HeedsSurprisesWhereItMayStillBeginAnew) {
   EXPECT_TRUE(Attempts(PickAndPut(3), 1).heeds_surprises());
   EXPECT_FALSE(Attempts(PickAndPut(3), 0).heeds_surprises());
