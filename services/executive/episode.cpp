@@ -72,6 +72,15 @@ StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
   return record;
 }
 
+// `surprise`: of what is seen now.
+std::string WhyAnew(const planner::NextStep& next, double surprise) {
+  if (next.surprise == 0) return "going on scored " + Number("%.2f", next.going_on);
+  const std::string differs =
+      next.surprise > surprise ? "an earlier picture differed" : "the picture differs";
+  return "a patch of " + differs + " by " + Number("%.2f", next.surprise) +
+         " from what was imagined";
+}
+
 }  // namespace
 
 std::string WhyNot(const planner::Future& future, double chosen_score) {
@@ -401,16 +410,12 @@ planner::NextStep Episode::Decide(SearchRecord* record) {
     records.push_back(SearchOnce(attempt, &plan));
     return plan;
   };
-  const planner::NextStep next = attempts_->Next(search, SurpriseNow());
+  const double surprise = SurpriseNow();
+  const planner::NextStep next = attempts_->Next(search, surprise);
   const bool anew = next.kind == planner::NextStep::Kind::kAnew;
   *record = anew ? std::move(records.back()) : std::move(records.front());
   if (next.action >= 0 && attempts_->followed() == 0) SetCourse(*record);
-  if (anew) {
-    record->note = next.surprise > 0
-                       ? "begins anew: a patch of the picture differs by " +
-                             Number("%.2f", next.surprise) + " from what was imagined"
-                       : "begins anew: going on scored " + Number("%.2f", next.going_on);
-  }
+  if (anew) record->note = "begins anew: " + WhyAnew(next, surprise);
   if (next.kind == planner::NextStep::Kind::kCarryOn) {
     record->note = "the plan is lost (" + record->reason + "): on to where it can begin anew";
     record->steps.clear();
