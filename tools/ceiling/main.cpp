@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ std::vector<std::uint64_t> TestSeeds(const Options& options) {
   std::vector<std::uint64_t> seeds;
   for (std::uint64_t seed = options.collect.seed; static_cast<int>(seeds.size()) < options.trials;
        ++seed) {
+    if (seed > model::kLastCollectionSeed)
+      throw std::invalid_argument(
+          "so many test trials do not come after that seed: lower --trials");
     if (model::SplitOf(seed) == model::Split::kTest) seeds.push_back(seed);
   }
   return seeds;
