@@ -96,7 +96,7 @@ json LookAt(sim::Task& task, std::uint64_t seed, int runs, int most) {
 
 double ShareOf(const Frequency& f) { return static_cast<double>(f.came_true) / f.runs; }
 
-// What one half foretells of the other: a little less than could be known, since ten runs tell a
+// What one half foretells of the other: a little less than could be known, since a few runs tell a
 // probability only roughly. And all runs of themselves: a little more.
 struct Bounds {
   std::vector<Foretold> low, high;
