@@ -40,6 +40,7 @@ json MetadataOf(const Trainer& trainer, const json& scores) {
           {"network", context.config.network},
           {"train", context.config},
           {"variant", trainer.options().variant},
+          {"reads_labels", context.networks.has_second_classifier},
           {"stages", StagesOf(trainer)},
           {"data_hash", trainer.data_hash()},
           {"code_version", PROSPECT_VERSION},
@@ -62,7 +63,8 @@ std::string ClassifiersPath(const std::string& weights) {
 bool ReadsLabels(const WeightsFile& weights) {
   const json train = weights.metadata.value("train", json::object());
   const json classifier = train.value("classifier", json::object());
-  return classifier.value("iterations", 1) > 0;
+  // Older files do not say.
+  return weights.metadata.value("reads_labels", classifier.value("iterations", 1) > 0);
 }
 
 void LoadNetworks(const std::string& weights, Networks* networks) {

@@ -250,6 +250,27 @@ TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
   EXPECT_EQ(engine->Expand({{h.data(), h.data(), 1}}).front().h.size(), h.size());
 }
 
+TEST_F(TrainingTest, ClassifiersThatWereTakenOverAreTakenOverAgain) {
+  TrainConfig config = TinyConfig();
+  config.heads.iterations = 0;
+  Trainer first(config, Options("first"));
+  first.Run();
+  std::string weights = ExportWeights(first, nlohmann::json::object());
+  config.classifier.iterations = config.encoder_decoder.iterations =
+      config.transform_hidden.iterations = 0;
+  for (const char* folder : {"second", "third"}) {
+    TrainOptions options = Options(folder);
+    options.from = weights;
+    Trainer trainer(config, options);
+    trainer.Run();
+    EXPECT_TRUE(trainer.context().networks.has_classifier) << folder;
+    weights = ExportWeights(trainer, nlohmann::json::object());
+    Networks networks(config.network);
+    LoadNetworks(weights, &networks);
+    EXPECT_TRUE(networks.has_second_classifier) << folder;
+  }
+}
+
 // Variants are compared on one encoder: T alone begins from random weights.
 TEST_F(TrainingTest, AStageMayBeginAfreshFromWeightsThatDoNotFitIt) {
   TrainConfig config = TinyConfig();
