@@ -1,4 +1,4 @@
-// prospect-ceiling: how well what V and f are asked can be known at all. Trials of a data set's
+// prospect-ceiling: how well what V, f and T are asked can be known at all. Trials of a data set's
 // test part are carried out again up to a random moment and from there on many times: execution
 // noise, and actions that nobody has chosen yet, are what no picture tells.
 
@@ -78,6 +78,10 @@ json ToJson(const Repetitions& r) {
   return {r.first.runs, r.first.came_true, r.second.runs, r.second.came_true};
 }
 
+json ToJson(const PictureErrors& e) {
+  return e.known ? json{e.foretold, e.in_itself} : json::array();
+}
+
 Repetitions FromJson(const json& j) { return {{j[0], j[1]}, {j[2], j[3]}}; }
 
 // Uniform over all moments of all trials: a number is drawn first, and trials that do not last so
@@ -90,6 +94,8 @@ json LookAt(sim::Task& task, std::uint64_t seed, int runs, int most) {
                {"f after one", ToJson(moment->done_one)},
                {"V after two", ToJson(moment->value_two)},
                {"f after two", ToJson(moment->done_two)}};
+  line["x1"] = ToJson(moment->pictures_one);
+  line["x2"] = ToJson(moment->pictures_two);
   if (number > 0) line["V, real states"] = ToJson(moment->value);
   return line;
 }
@@ -108,6 +114,25 @@ struct Bounds {
     high.push_back({ShareOf(all), ShareOf(all)});
   }
 };
+
+// Of all moments, their mean.
+struct PictureBounds {
+  int moments = 0;
+  double foretold = 0, in_itself = 0;  // sums
+
+  void Add(const json& pair) {
+    if (pair.empty()) return;
+    ++moments;
+    foretold += pair[0].get<double>();
+    in_itself += pair[1].get<double>();
+  }
+};
+
+json Figures(const PictureBounds& bounds) {
+  const double n = std::max(1, bounds.moments);
+  return {{"moments", bounds.moments},
+          {"mean_absolute_error", {bounds.in_itself / n, bounds.foretold / n}}};
+}
 
 json Figures(const Bounds& bounds) {
   const Scores low = ScoresOf(bounds.low), high = ScoresOf(bounds.high);
@@ -138,6 +163,12 @@ void Print(const json& report) {
     }
     std::printf("\n");
   }
+  std::printf("\n%-16s %7s  %-16s\n", "pictures", "moments", "mean abs. error");
+  for (const auto& [name, row] : report["pictures"].items()) {
+    const json& error = row["mean_absolute_error"];
+    std::printf("%-16s %7d  %.4f to %.4f\n", name.c_str(), row["moments"].get<int>(),
+                error[0].get<double>(), error[1].get<double>());
+  }
 }
 
 // No trial has more actions: each begins anew at most once.
@@ -154,6 +185,7 @@ int Run(const Options& options) {
   const std::vector<std::uint64_t> seeds = TestSeeds(options);
   const int most = MostActions(options, seeds);  // refuses an unknown task, too
   std::map<std::string, Bounds> rows;
+  std::map<std::string, PictureBounds> pictures;
   int moments = 0;
   Progress progress("trials", options.trials);
   const auto worker = [&] {
@@ -167,15 +199,19 @@ int Run(const Options& options) {
   ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
     const json one = json::parse(line);
     moments += !one.empty();
-    for (const auto& [name, repetitions] : one.items()) rows[name].Add(FromJson(repetitions));
+    for (const auto& [name, found] : one.items()) {
+      if (name == "x1" || name == "x2")
+        pictures[name].Add(found);
+      else
+        rows[name].Add(FromJson(found));
+    }
     progress.Step(std::to_string(moments) + " moments");
   });
-  json report = {{"task", options.collect.task},
-                 {"trials", options.trials},
-                 {"runs", options.runs},
-                 {"moments", moments},
-                 {"rows", json::object()}};
+  json report = {{"task", options.collect.task}, {"trials", options.trials},
+                 {"runs", options.runs},         {"moments", moments},
+                 {"rows", json::object()},       {"pictures", json::object()}};
   for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
+  for (const auto& [name, bounds] : pictures) report["pictures"][name] = Figures(bounds);
   Print(report);
   if (!options.json_file.empty()) WriteJsonFile(options.json_file, report);
   return 0;
@@ -186,7 +222,7 @@ int Run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "How well what V and f are asked can be known at all: test trials again from one of their "
+      "How well what V, f and T are asked can be known at all: test trials again from one of their "
       "moments on, with other execution noise and other actions. Of each figure two bounds: what "
       "half of the repetitions foretell of the others, and what all foretell of themselves.");
   prospect::tools::Options options;

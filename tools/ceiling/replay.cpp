@@ -45,17 +45,20 @@ class Repeater {
       : task_(task), story_(story), seed_(seed), runs_(runs), moment_(task.Save()) {}
 
   // Each time carries out the first `chosen` of the story's next actions, then random ones.
-  void Repeat(std::size_t chosen, Repetitions* value, Repetitions* done) {
+  void Repeat(std::size_t chosen, Repetitions* value, Repetitions* done, PictureErrors* pictures) {
     if (chosen > story_.next.size()) return;
+    std::vector<sim::Image> first, second;
     for (int run = 0; run < runs_; ++run) {
       task_.Restore(*moment_);
       task_.SetNoiseSeed(Stream(kNoiseStream, chosen, run));
       if (!CarryOut(chosen)) continue;
       const bool succeeded = task_.progress().action_state == sim::ActionState::kSucceeded;
       if (done != nullptr) Count(run, succeeded, done);
+      if (pictures != nullptr) (run < runs_ / 2 ? first : second).push_back(task_.Observe());
       Finish(chosen, run);
       Count(run, task_.progress().outcome == sim::Outcome::kSuccess, value);
     }
+    if (pictures != nullptr) *pictures = ErrorsOf(first, second);
   }
 
  private:
@@ -100,9 +103,9 @@ std::optional<Moment> Replay(sim::Task& task, std::uint64_t seed, int number, in
   if (!story) return std::nullopt;
   Repeater repeater(task, *story, seed, runs);
   Moment moment;
-  repeater.Repeat(0, &moment.value, nullptr);
-  repeater.Repeat(1, &moment.value_one, &moment.done_one);
-  repeater.Repeat(2, &moment.value_two, &moment.done_two);
+  repeater.Repeat(0, &moment.value, nullptr, nullptr);
+  repeater.Repeat(1, &moment.value_one, &moment.done_one, &moment.pictures_one);
+  repeater.Repeat(2, &moment.value_two, &moment.done_two, &moment.pictures_two);
   return moment;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/task.h"
+#include "tools/ceiling/spread.h"
 
 namespace prospect::tools {
 
@@ -26,6 +27,9 @@ struct Moment {
   // whether the last of these succeeds. Without runs where the trial had ended; those that end
   // before their last action are not counted.
   Repetitions value_one, done_one, value_two, done_two;
+  // How much the pictures at the end of one and of two actions differ; without those of repetitions
+  // that `done` does not count.
+  PictureErrors pictures_one, pictures_two;
 };
 
 // Carries trial `seed` out as the collector does (sim::RandomPlan) until `number` actions have

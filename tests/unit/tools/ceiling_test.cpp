@@ -3,6 +3,7 @@
 #include "tests/unit/sim/scripted_task.h"
 #include "tools/ceiling/foretold.h"
 #include "tools/ceiling/replay.h"
+#include "tools/ceiling/spread.h"
 
 namespace prospect::tools {
 namespace {
@@ -85,6 +86,42 @@ TEST(Replay, CountsOnlyRunsThatComeSoFar) {
   EXPECT_EQ(Sum(moment->done_one).first.runs, 40);
   EXPECT_LT(Sum(moment->done_two).first.runs, 32);
   EXPECT_EQ(Sum(moment->done_two).first.came_true, Sum(moment->done_two).first.runs);
+}
+
+TEST(Spread, TheMedianErrsLeast) {
+  const auto picture = [](std::uint8_t value) { return sim::Image{1, 1, {value, 0, 0}}; };
+  const auto errors =
+      ErrorsOf({picture(0), picture(0), picture(255)}, {picture(0), picture(51), picture(255)});
+  ASSERT_TRUE(errors.known);
+  EXPECT_DOUBLE_EQ(errors.foretold, (0 + 0.2 + 1) / 9) << "from 0, one of three numbers";
+  EXPECT_DOUBLE_EQ(errors.in_itself, (3 * 0.2 + 2 * 0.8) / 18) << "from the upper median, 0.2";
+  EXPECT_FALSE(ErrorsOf({picture(0)}, {}).known);
+  EXPECT_THROW(ErrorsOf({picture(0)}, {{2, 1, {0, 0, 0, 0, 0, 0}}}), std::invalid_argument);
+}
+
+// Shows whether an action has failed.
+class ShownTask : public sim::ScriptedTask {
+ public:
+  using sim::ScriptedTask::ScriptedTask;
+  sim::Image Observe() override {
+    const bool failed = progress().action_state == sim::ActionState::kFailed;
+    return {1, 1, {static_cast<std::uint8_t>(failed ? 255 : 0), 0, 0}};
+  }
+};
+
+TEST(Replay, PicturesDifferWhereActionsAreUncertain) {
+  ShownTask task([](const std::vector<int>& path, std::uint64_t noise) {
+    return path.size() == 3 && noise % 4 == 1 ? std::string("slipped") : std::string();
+  });
+  const auto moment = Replay(task, 4, 1, 40);
+  ASSERT_TRUE(moment);
+  ASSERT_TRUE(moment->pictures_one.known && moment->pictures_two.known);
+  EXPECT_EQ(moment->pictures_one.in_itself, 0) << "the second action never fails";
+  const Repetitions& done = moment->done_two;
+  const double failed = 1 - Sum(done).first.came_true / 40.0;
+  EXPECT_GT(failed, 0.05);
+  EXPECT_NEAR(moment->pictures_two.in_itself, failed / 3, 1e-9) << "one of three numbers";
+  EXPECT_NEAR(moment->pictures_two.foretold, (1 - done.second.came_true / 20.0) / 3, 1e-9);
 }
 
 }  // namespace
