@@ -11,6 +11,12 @@ struct Entry {
   std::function<void(TrainConfig*)> apply;
 };
 
+/// L1 with two linked steps, and so much of C beside a whole L1.
+void WithClassifier(double share, TrainConfig* c) {
+  c->linked_steps = 2;
+  c->lambda = share * c->picture_weight;
+}
+
 void Pix2Pix(TrainConfig* c) {
   c->lambda = 0;
   c->adversary = "pix2pix";
@@ -31,19 +37,16 @@ const std::vector<Entry>& Entries() {
       {{"l1", "L1", "two linked steps, L1"},
        [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 2; }},
       {{"l1+0.01c", "L1+0.01C", "and C's cross-entropy on the second picture, times 0.01"},
-       [](TrainConfig* c) { c->lambda = 0.01, c->linked_steps = 2; }},
-      {{"l1+0.001c", "L1+0.001C", "times 0.001"},
-       [](TrainConfig* c) { c->lambda = 0.001, c->linked_steps = 2; }},
+       [](TrainConfig* c) { WithClassifier(0.01, c); }},
+      {{"l1+0.001c", "L1+0.001C", "times 0.001"}, [](TrainConfig* c) { WithClassifier(0.001, c); }},
       {{"no-skips", "No Skips", "L1+0.001C without T's skip connection"},
-       [](TrainConfig* c) { c->lambda = 0.001, c->linked_steps = 2, c->network.skip = false; }},
+       [](TrainConfig* c) { WithClassifier(0.001, c), c->network.skip = false; }},
       {{"cgan", "cGAN", "two linked steps, L1 and the judge of pix2pix"},
        [](TrainConfig* c) { c->linked_steps = 2, Pix2Pix(c); }},
       {{"wgan", "WGAN", "two linked steps, L1 and a Wasserstein judge, by RMSProp"},
        [](TrainConfig* c) { c->linked_steps = 2, Wasserstein(c); }},
       {{"u-net", "U-net", "L1+0.001C with strided convolutions for the soft argmax"},
-       [](TrainConfig* c) {
-         c->lambda = 0.001, c->linked_steps = 2, c->network.bottleneck = "strided";
-       }},
+       [](TrainConfig* c) { WithClassifier(0.001, c), c->network.bottleneck = "strided"; }},
   };
   return entries;
 }

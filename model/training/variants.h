@@ -17,8 +17,9 @@ struct Variant {
 /// In the order of the paper's tables; what only its text names comes last.
 const std::vector<Variant>& Variants();
 
-/// Changes what the variant changes: T's losses, links, skips. The rest, iterations of T's own
-/// updates included, stays. Throws std::invalid_argument that lists the known names.
+/// Changes what the variant changes: T's losses (C beside a picture loss of whatever weight),
+/// links, skips. The rest, iterations of T's own updates included, stays. Throws
+/// std::invalid_argument that lists the known names.
 void ApplyVariant(const std::string& name, TrainConfig* config);
 
 }  // namespace prospect::model

@@ -98,6 +98,14 @@ TEST(Variants, AreAllValidAndDiffer) {
   EXPECT_EQ(seen.size(), 8U);
 }
 
+TEST(Variants, CWeighsAsMuchBesideAPictureLossOfAnyWeight) {
+  TrainConfig one, hundred;
+  hundred.picture_weight = 100;
+  for (TrainConfig* config : {&one, &hundred}) ApplyVariant("l1+0.01c", config);
+  EXPECT_DOUBLE_EQ(one.lambda, 0.01);
+  EXPECT_DOUBLE_EQ(hundred.lambda, 1);
+}
+
 TEST(Variants, AnUnknownOneIsRefusedWithTheKnown) {
   TrainConfig config;
   try {

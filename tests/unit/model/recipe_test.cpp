@@ -40,13 +40,14 @@ TEST(Recipe, PaperIsAllStepsLeftOutAndTrainsTAsOften) {
                                 paper.done_weight, paper.imagined_share})
       EXPECT_EQ(beyond, 0);
     EXPECT_FALSE(paper.compose);
+    EXPECT_EQ(paper.picture_weight, 1);
   }
 }
 
 // A step that changes no task's configuration would be a name without a thing.
 TEST(Recipe, EveryStepIsTakenBySomeConfigurationAndLeavingItOutTwiceIsOnce) {
   TrainConfig all = TrainConfigFor("navigation");
-  all.gain_weight = 0.1, all.inside_weight = 0.1, all.linked_from = 1;
+  all.picture_weight = 100, all.gain_weight = 0.1, all.inside_weight = 0.1, all.linked_from = 1;
   all.network.transform_action = "scale_and_shift", all.network.transform_mask = true;
   for (const RecipeStep& step : RecipeSteps()) {
     TrainConfig config = all;
