@@ -22,6 +22,19 @@ json StagesOf(const Trainer& trainer) {
   return stages;
 }
 
+/// How the weights that training began from were made, the first ones first.
+json HistoryOf(const Trainer& trainer) {
+  if (trainer.options().from.empty()) return json::array();
+  const json before = ReadWeights(trainer.options().from).metadata;
+  json history = before.value("history", json::array());
+  json last = json::object();
+  for (const char* key : {"command", "variant", "train", "stages", "data_hash"}) {
+    if (before.contains(key)) last[key] = before[key];
+  }
+  history.push_back(last);
+  return history;
+}
+
 json CalibrationBy(const json& scores) {
   if (!scores.contains("plan")) return json::object();
   return {{"refusal_threshold", scores["plan"]["threshold"]}};
@@ -37,6 +50,7 @@ json MetadataOf(const Trainer& trainer, const json& scores) {
           {"trials", context.samples.trials.size()},
           {"trial_seeds", {trainer.file().seeds().front(), trainer.file().seeds().back()}},
           {"command", trainer.options().command},
+          {"history", HistoryOf(trainer)},
           {"network", context.config.network},
           {"train", context.config},
           {"variant", trainer.options().variant},

@@ -11,7 +11,8 @@ namespace prospect::model {
 /// Writes what was trained: DIR/TASK.safetensors (all that planning needs) and
 /// DIR/TASK-classifiers.safetensors (C and the second classifier, which only scores need), both
 /// without those networks that were not trained, with configuration, data hash, seeds of the first
-/// and last trial, command, code version, scores and calibration in their metadata. The
+/// and last trial, command, the same of weights it began from (`history`), code version, scores
+/// and calibration in their metadata. The
 /// calibration's refusal_threshold is the plan score that best separates successful from failed
 /// validation trials. Returns the path of the first. Throws WeightsError.
 std::string ExportWeights(const Trainer& trainer, const nlohmann::json& scores);

@@ -36,7 +36,11 @@ TEST(BundledWeights, SayHowTheyWereMade) {
   EXPECT_EQ(metadata["data_hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(metadata["command"].get<std::string>().rfind("./prospect train --task stacking", 0), 0U)
       << metadata["command"];
-  EXPECT_GT(metadata["train"]["transform_hidden"]["iterations"].get<int>(), 0);
+  EXPECT_GT(metadata["train"]["transform_image"]["iterations"].get<int>(), 0);
+  for (const json& before : metadata.value("history", json::array())) {
+    EXPECT_EQ(before["command"].get<std::string>().rfind("./prospect train --task stacking", 0), 0U)
+        << before["command"];
+  }
   EXPECT_GT(metadata["scores"]["trials"].get<int>(), 100);
   EXPECT_EQ(metadata["trial_seeds"].size(), 2U);
 }

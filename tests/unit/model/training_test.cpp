@@ -250,10 +250,12 @@ TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
   EXPECT_EQ(engine->Expand({{h.data(), h.data(), 1}}).front().h.size(), h.size());
 }
 
-TEST_F(TrainingTest, ClassifiersThatWereTakenOverAreTakenOverAgain) {
+TEST_F(TrainingTest, WeightsGoneOnFromKeepTheirClassifiersAndTellTheirHistory) {
   TrainConfig config = TinyConfig();
   config.heads.iterations = 0;
-  Trainer first(config, Options("first"));
+  TrainOptions beginning = Options("first");
+  beginning.command = "first";
+  Trainer first(config, beginning);
   first.Run();
   std::string weights = ExportWeights(first, nlohmann::json::object());
   config.classifier.iterations = config.encoder_decoder.iterations =
@@ -261,6 +263,7 @@ TEST_F(TrainingTest, ClassifiersThatWereTakenOverAreTakenOverAgain) {
   for (const char* folder : {"second", "third"}) {
     TrainOptions options = Options(folder);
     options.from = weights;
+    options.command = folder;
     Trainer trainer(config, options);
     trainer.Run();
     EXPECT_TRUE(trainer.context().networks.has_classifier) << folder;
@@ -269,6 +272,12 @@ TEST_F(TrainingTest, ClassifiersThatWereTakenOverAreTakenOverAgain) {
     LoadNetworks(weights, &networks);
     EXPECT_TRUE(networks.has_second_classifier) << folder;
   }
+  const nlohmann::json metadata = ReadWeights(weights).metadata;
+  EXPECT_EQ(metadata["command"], "third");
+  ASSERT_EQ(metadata["history"].size(), 2U);
+  EXPECT_EQ(metadata["history"][0]["command"], "first");
+  EXPECT_EQ(metadata["history"][0]["train"]["classifier"]["iterations"], 10);
+  EXPECT_EQ(metadata["history"][1]["command"], "second");
 }
 
 // Variants are compared on one encoder: T alone begins from random weights.
