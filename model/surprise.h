@@ -10,9 +10,10 @@ namespace prospect::model {
 /// Side of the patches that are compared, pixels: about a block of the stacking scene.
 inline constexpr int kSurprisePatch = 6;
 
-/// Above this a plan is taken for lost: on 343 tuning and calibration scenes of stacking, after the
-/// hand had backed off, 38 of the 40 that were lost lie above and 21 of the 303 others, whom
-/// beginning anew cost little.
+/// Above this a plan is taken for lost: on 343 tuning and calibration scenes of stacking (by the
+/// weights of then), after the hand had backed off, 38 of the 40 that were lost lay above and 21 of
+/// the 303 others, whom beginning anew cost little. By those since, of 256 attempts, 23 of
+/// 34 and 5 of 222; with 0.27 27 and 18, and no more scenes solved.
 inline constexpr double kSurprising = 0.30;
 
 /// And above this after any action before it, when a hand may still hide things or a shadow lie
