@@ -10,7 +10,7 @@
 
 #include "model/trial.h"
 
-/// Data sets on disk: HDF5 files in robomimic's layout (DESIGN §5).
+/// Data sets on disk: HDF5 files in robomimic's layout (docs/architecture.md).
 ///
 ///   data                              attributes total (frames), env_args (JSON; its env_kwargs
 ///                                     hold world_version and successors)

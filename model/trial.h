@@ -7,8 +7,8 @@
 
 namespace prospect::model {
 
-/// Seeds of collected trials (DESIGN §5): everything above is kept for tuning, calibration and
-/// reported figures, so a trial whose seed lies outside may not enter a data set.
+/// Seeds of collected trials (docs/training.md): everything above is kept for tuning, calibration
+/// and reported figures, so a trial whose seed lies outside may not enter a data set.
 inline constexpr std::uint64_t kFirstCollectionSeed = 0;
 inline constexpr std::uint64_t kLastCollectionSeed = 999'999;
 

@@ -36,7 +36,7 @@ const char* ToString(Rejection rejection);
 struct Future {
   Path path;
   std::vector<PlanStep> steps;  // as long as the path
-  double score = 0;         // V at the last node times f along the path (DESIGN: a plan's score)
+  double score = 0;         // V at the last node times f along the path (a score: architecture.md)
   std::int64_t visits = 0;  // N of the last node
   bool complete = false;    // complete by the task's rules (not merely as deep as the search looks)
   Rejection rejection = Rejection::kNone;

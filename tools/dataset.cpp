@@ -1,5 +1,5 @@
-// prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures (DESIGN
-// §5).
+// prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures
+// (docs/training.md).
 
 #include <signal.h>
 #include <sys/prctl.h>

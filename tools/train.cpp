@@ -1,4 +1,4 @@
-// prospect-train: trains the networks of a task from a data set (DESIGN §5).
+// prospect-train: trains the networks of a task from a data set (docs/training.md).
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -7,7 +7,7 @@
 
 namespace prospect::model {
 
-/// What the oracle says of a scene (DESIGN section 6). Values as in CALIBRATION.
+/// What the oracle says of a scene (docs/worlds.md). Values as in CALIBRATION.
 enum class SceneClass : std::uint8_t { kSolvable = 1, kHopeless = 2, kDoubtful = 3 };
 
 /// How a scene ended when the best plan was carried out in closed loop, nothing refused for its

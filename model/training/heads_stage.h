@@ -11,7 +11,7 @@ namespace prospect::model {
 /// Labels of states, row by row, as V, Q, p and f are trained on. The networks are the same in both
 /// kinds: each output is a probability of its own, trained by binary cross-entropy.
 ///
-/// "paper" (DESIGN §5):
+/// "paper" (docs/training.md):
 ///   V(h): did the trial succeed. f(h0, h, a): did the action succeed, on its goal picture or the
 ///   state imagined for it, and 0 on frames at least 0.3 s before its end. p(a' | h0, h, a): may a'
 ///   follow (samples.h, MayFollow). Q(h0, h, a, a'): did the trial succeed, for the a' that was

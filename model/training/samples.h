@@ -15,8 +15,8 @@ struct FrameRef {
   int frame = 0;  ///< frame number inside the trial
 };
 
-/// One carried-out action. Labels as in DESIGN §5: the goal picture is the frame on which the next
-/// segment begins, or the trial's last.
+/// One carried-out action. Labels as in docs/training.md: the goal picture is the frame on which
+/// the next segment begins, or the trial's last.
 struct SegmentSample {
   int trial = 0;
   int action = 0;

@@ -38,7 +38,7 @@ struct StageSummary {
   double seconds = 0;  ///< StageOutcome::seconds
 };
 
-/// The whole training order (DESIGN §5): C and a second classifier, encoder and decoder, T, then V,
+/// The training order (docs/training.md): C, a second classifier, encoder and decoder, T, then V,
 /// Q, p, f. Each stage resumes from its checkpoint, and is skipped when it was already trained from
 /// the same inputs. One object one run; not thread-safe. It uses `threads` threads inside.
 class Trainer {

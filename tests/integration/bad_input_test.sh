@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Bad input on command lines: unknown tasks and options, weights and data files that are missing, damaged or of another kind,
-# buses that cannot be. Each ends with its exit code (DESIGN.md, README) and one line that names the culprit.
+# buses that cannot be. Each ends with its exit code (docs/architecture.md) and one line that names the culprit.
 # In a network namespace of its own; ends with 77 (skipped) where none is allowed.
 #   bad_input_test.sh BIN
 set -uo pipefail

@@ -4,7 +4,7 @@
 
 namespace prospect::tools {
 
-// Exit codes of the tools that work on data sets and weights (DESIGN §6).
+// Exit codes of the tools that work on data sets and weights (docs/architecture.md).
 constexpr int kExitUsage = 2, kExitFailed = 4, kExitWeights = 10, kExitDisk = 13, kExitData = 14;
 
 // run()'s code, or that of the error it threw, which is told on standard error after the program's

@@ -9,7 +9,7 @@ namespace prospect::tools {
 
 /// The end of main() of a program that needs no libtorch (others: Guarded in guarded.h): reads the
 /// arguments, runs, tells errors on standard error after the program's name. Returns run()'s code;
-/// usage 2 (also std::invalid_argument), anything else that was thrown 13 (DESIGN §6).
+/// usage 2 (also std::invalid_argument), anything else thrown 13 (docs/architecture.md).
 inline int RunProgram(const char* name, CLI::App* app, int argc, char** argv,
                       const std::function<int()>& run) {
   try {

@@ -10,7 +10,7 @@
 
 namespace prospect::tools {
 
-// How an episode ended (DESIGN section 6).
+// How an episode ended (docs/architecture.md).
 enum class Ending {
   kSolved,   // the task's success, and the goal holds
   kRefused,  // no action was ever begun

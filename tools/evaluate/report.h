@@ -13,7 +13,7 @@ namespace prospect::tools {
 //   evaluations, rollouts, seconds}}}
 using SceneRecord = nlohmann::json;
 
-// The figures over all scenes, with the keys that the README documents. Scenes solved by doing
+// The figures over all scenes, with the keys that docs/json.md documents. Scenes solved by doing
 // nothing are left out.
 nlohmann::json Summarise(const std::vector<SceneRecord>& scenes,
                          const std::vector<std::string>& rows);

@@ -16,7 +16,7 @@ struct HeadRecord {
   std::array<model::Judgements, 3> v, q, p, f;
 };
 
-/// Adds one trial, with the labels that the heads are trained on (DESIGN section 5). Seen states
+/// Adds one trial, with the labels that the heads are trained on (docs/training.md). Seen states
 /// are those of the trial's first picture and of each action's end, for f also frames inside an
 /// action (as many as `trial` was read with). Imagined ones begin at the start of each action and
 /// follow what was done: one transform to the end of that action, two to the end of the next. Q is

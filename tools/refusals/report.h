@@ -16,7 +16,7 @@ struct RefusalOptions {
   std::uint64_t seed = 0;
 };
 
-/// The figures of one sample, with the keys that the README documents: task, scenes, solvable,
+/// The figures of one sample, with the keys that docs/json.md documents: task, scenes, solvable,
 /// hopeless, doubtful, auroc, area, coverage_at_5, coverage_at_10, refuse and fail (target, mean,
 /// standard_error, within, kept; rates, thresholds and bands of those kept), curve and success.
 nlohmann::json MeasureRefusals(const model::CalibrationSample& sample, const std::string& task,

@@ -27,7 +27,7 @@ Figure FigureOf(const YAML::Node& node) {
   Figure figure;
   figure.name = node["name"].as<std::string>();
   figure.pointer = node["pointer"].as<std::string>();
-  figure.readme = node["readme"].as<std::string>();
+  figure.printed = node["printed"].as<std::string>();
   if (node["at_most"]) {
     figure.at_most = node["at_most"].as<double>();
     return figure;

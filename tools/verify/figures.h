@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-/// What `./prospect verify` knows: the figures that the README gives for the bundled weights, the
-/// commands that measure them, and how far a measurement may lie from them. Read from a YAML file
-/// (config/figures.yaml, which describes its format). Plain values; no threads.
+/// What `./prospect verify` knows: the figures that docs/results.md gives for the bundled weights,
+/// the commands that measure them, and how far a measurement may lie from them. Read from a YAML
+/// file (config/figures.yaml, which describes its format). Plain values; no threads.
 namespace prospect::verify {
 
 /// One figure of a report. `quick` is what the smaller run of the same command gives, `full` what
-/// the README states.
+/// docs/results.md states.
 struct Figure {
   std::string name;
   std::string pointer;  ///< JSON pointer into the report, such as /labels/x1/second
   double quick = 0, full = 0;
   double tolerance = 0;           ///< largest distance allowed, either way
   std::optional<double> at_most;  ///< instead of the three above: a bound, for times
-  std::string readme;             ///< as the README prints it
+  std::string printed;            ///< as docs/results.md prints it
 };
 
 /// One command and what is read from the report that it writes.

@@ -1,4 +1,4 @@
-// prospect-verify: measures again what the README says of the bundled weights.
+// prospect-verify: measures again what docs/results.md says of the bundled weights.
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -37,7 +37,8 @@ struct CommandFailed : std::runtime_error {
 };
 
 void AddOptions(CLI::App* app, Options* options) {
-  app->add_option("--figures", options->figures, "What to measure, and what the README says of it")
+  app->add_option("--figures", options->figures,
+                  "What to measure, and what docs/results.md says of it")
       ->required()
       ->check(CLI::ExistingFile);
   app->add_option("--weights", options->weights, "Folder of weights, TASK.safetensors each")
@@ -45,7 +46,7 @@ void AddOptions(CLI::App* app, Options* options) {
   app->add_option("--held-out", options->held_out, "Folder of held-out trials, TASK.h5 each")
       ->required();
   app->add_option("--work", options->work, "Folder for trials and reports")->required();
-  app->add_flag("--full", options->full, "Everything, as in the README: hours");
+  app->add_flag("--full", options->full, "Everything, as in docs/results.md: hours");
   app->add_option("--jobs", options->jobs, "Processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -166,7 +167,7 @@ int RunGuarded(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measures again the figures that the README gives for the bundled weights.");
+  CLI::App app("Measures again the figures that docs/results.md gives for the bundled weights.");
   Options options;
   AddOptions(&app, &options);
   try {

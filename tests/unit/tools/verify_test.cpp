@@ -28,7 +28,7 @@ TEST(Figures, AreWithinOrOutsideTheirTolerance) {
   EXPECT_TRUE(Judge(figure, false, Report(0.4)).within);
   EXPECT_FALSE(Judge(figure, false, Report(0.61)).within);
   EXPECT_FALSE(Judge(figure, false, Report(0.39)).within);
-  EXPECT_FALSE(Judge(figure, true, Report(0.6)).within) << "the README's figure is another";
+  EXPECT_FALSE(Judge(figure, true, Report(0.6)).within) << "the published figure is another";
   EXPECT_TRUE(Judge(figure, true, Report(0.9)).within);
 }
 
@@ -53,18 +53,18 @@ TEST(Commands, TakeValuesForTheirPlaceholders) {
   EXPECT_THROW(Fill({"{x"}, {{"x", "1"}}), std::invalid_argument);
 }
 
-// What the README says and what is measured cannot part.
-TEST(FiguresFile, EveryFigureStandsInTheReadme) {
-  std::ifstream in(std::string(PROSPECT_ROOT) + "/README.md");
+// What is published and what is measured cannot part.
+TEST(FiguresFile, EveryFigureStandsInTheResults) {
+  std::ifstream in(std::string(PROSPECT_ROOT) + "/docs/results.md");
   std::stringstream text;
   text << in.rdbuf();
-  std::string readme = text.str();
-  for (char& c : readme) c = c == '\n' ? ' ' : c;  // a sentence may be broken anywhere
+  std::string results = text.str();
+  for (char& c : results) c = c == '\n' ? ' ' : c;  // a sentence may be broken anywhere
   for (const Measurement& m :
        ReadMeasurements(std::string(PROSPECT_ROOT) + "/config/figures.yaml")) {
     for (const Figure& figure : m.figures) {
-      EXPECT_NE(readme.find(figure.readme), std::string::npos)
-          << m.name << ", " << figure.name << ": '" << figure.readme << "'";
+      EXPECT_NE(results.find(figure.printed), std::string::npos)
+          << m.name << ", " << figure.name << ": '" << figure.printed << "'";
     }
   }
 }
