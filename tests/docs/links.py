@@ -21,7 +21,7 @@ def markdown_files(root):
     listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard", "*.md"],
                             capture_output=True, text=True)
     if listed.returncode == 0 and listed.stdout:
-        return sorted(listed.stdout.split())
+        return sorted(name for name in listed.stdout.split() if os.path.exists(os.path.join(root, name)))
     found = []
     for folder, folders, files in os.walk(root):
         folders[:] = [f for f in folders if f not in ("build", "out", ".git")]
@@ -80,13 +80,17 @@ def readme_faults(root):
             yield f"README.md: '{figure}' does not stand in docs/results.md"
 
 
-def main():
-    root = sys.argv[1]
-    faults = list(readme_faults(root))
+def faults(root):
+    found = list(readme_faults(root))
     for name in markdown_files(root):
-        faults += list(link_faults(root, name)) + list(page_faults(root, name))
-    print("\n".join(faults) or "every link and figure is in order")
-    return 1 if faults else 0
+        found += list(link_faults(root, name)) + list(page_faults(root, name))
+    return found
+
+
+def main():
+    found = faults(sys.argv[1])
+    print("\n".join(found) or "every link and figure is in order")
+    return 1 if found else 0
 
 
 if __name__ == "__main__":
