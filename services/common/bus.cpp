@@ -13,8 +13,10 @@
 #include <mutex>
 #include <utility>
 
+#include "services/common/authenticity.h"
 #include "services/common/chaos.h"
 #include "services/common/clock.h"
+#include "services/common/host_filter.h"
 
 namespace prospect::services {
 namespace {
@@ -62,7 +64,8 @@ std::unique_ptr<Chaos> MakeChaos(const std::string& text) {
 struct Bus::Connection {
   lcm_t* lcm = nullptr;
   int wake_fd = -1;
-  std::mutex sending;  // LCM's tcpq provider mixes up what two threads send at once
+  // LCM's tcpq provider mixes up what two threads send at once; and signing counts.
+  std::mutex sending;
   std::vector<RawMessage> arrived;
   bool out_of_memory = false;
 
@@ -79,7 +82,7 @@ struct Bus::Connection {
     try {
       const auto* data = static_cast<const std::uint8_t*>(buffer->data);
       connection->arrived.push_back(
-          {channel, buffer->recv_utime, {data, data + buffer->data_size}});
+          {channel, buffer->recv_utime, {data, data + buffer->data_size}, nullptr});
     } catch (const std::exception&) {
       connection->out_of_memory = true;
     }
@@ -101,12 +104,14 @@ struct Bus::Connection {
     [[maybe_unused]] const ssize_t got = read(wake_fd, &wakes, sizeof wakes);
   }
 
-  // LCM tests its sockets only at the first subscription; a channel of ours that nobody uses makes
-  // it do so now. A relay that does not answer leaves LCM without a socket.
+  // LCM opens and tests its sockets only at the first subscription; a channel of ours that nobody
+  // uses makes it do so now, so that the filter is there before anything is listened to. A relay
+  // that does not answer leaves LCM without a socket.
   bool Opened(const std::string& url) {
     const HushedStderr hushed;
+    const HostFilter filter;
     lcm = lcm_create(url.c_str());
-    if (lcm && Subscribe("PROSPECT_SELF_TEST", 1) && HasSocket()) return true;
+    if (lcm && Subscribe("PROSPECT_SELF_TEST", 1) && HasSocket() && filter.Attach(url)) return true;
     if (lcm) lcm_destroy(std::exchange(lcm, nullptr));
     return false;
   }
@@ -124,10 +129,15 @@ struct Bus::Connection {
   }
 };
 
-Bus::Bus(const std::string& url, const std::string& chaos)
+Bus::Bus(const std::string& url, const std::string& chaos, const BusKey* key)
     : url_(ResolveBusUrl(url)),
       chaos_(MakeChaos(chaos.empty() ? ChaosText() : chaos)),
       connection_(std::make_unique<Connection>()) {
+  if (!key) key = ProcessBusKey();
+  if (key) {
+    signer_ = std::make_unique<MessageSigner>(*key);
+    verifier_ = std::make_unique<MessageVerifier>(*key);
+  }
   connection_->wake_fd = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (!connection_->Opened(url_)) throw BusError(BusAdvice(url_));
   const std::string warning = ReceiveBufferWarning(url_);
@@ -154,9 +164,15 @@ void Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
 }
 
 bool Bus::PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
+  const auto send = [&](const std::vector<std::uint8_t>& all) {
+    return lcm_publish(connection_->lcm, channel.c_str(), all.data(),
+                       static_cast<unsigned>(all.size())) == 0;
+  };
   const std::lock_guard<std::mutex> lock(connection_->sending);
-  return lcm_publish(connection_->lcm, channel.c_str(), bytes.data(),
-                     static_cast<unsigned>(bytes.size())) == 0;
+  if (!signer_) return send(bytes);
+  std::vector<std::uint8_t> tagged = bytes;
+  signer_->Sign(channel, &tagged);
+  return send(tagged);
 }
 
 // Waits for messages and takes them over; with chaos, those whose time has come.
@@ -179,20 +195,26 @@ int Bus::Poll(int timeout_ms) {
   if (arrived_.size() < kMaxPerPoll) Listen(arrived_.empty() ? timeout_ms : 0);
   int taken = 0;
   while (!arrived_.empty() && taken < kMaxPerPoll) {
-    const RawMessage message = std::move(arrived_.front());
+    RawMessage message = std::move(arrived_.front());
     arrived_.pop_front();
     ++taken;
-    Dispatch(message);
+    Dispatch(std::move(message));
   }
   return taken;
 }
 
-void Bus::Dispatch(const RawMessage& message) {
-  for (const auto& handler : raw_handlers_) handler(message);
+void Bus::Dispatch(RawMessage message) {
   const auto hub = hubs_.find(message.channel);
+  if (hub == hubs_.end() && raw_handlers_.empty()) return;
+  if (verifier_) message.refused = verifier_->Verify(message.channel, &message.bytes);
+  for (const auto& handler : raw_handlers_) handler(message);
   if (hub == hubs_.end()) return;
   // Counted before the handlers run, so that the count holds even if one throws.
   ChannelCounters& counters = counters_[message.channel];
+  if (message.refused) {
+    ++counters.refused[message.refused];
+    return;
+  }
   ++counters.received;
   const std::string reason = hub->second->Take(message);
   if (reason.empty()) return;

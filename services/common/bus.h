@@ -10,6 +10,7 @@
 
 #include "lcmtypes/checked_codec.h"
 #include "lcmtypes/validate.h"
+#include "services/common/bus_key.h"
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
 #include "services/common/raw_message.h"
@@ -18,6 +19,8 @@
 namespace prospect::services {
 
 class Chaos;
+class MessageSigner;
+class MessageVerifier;
 
 /// The bus cannot be opened or subscribed to. The message says what to do; the exit status is
 /// kExitBus.
@@ -28,17 +31,21 @@ class BusError : public ExitError {
 
 /// What became of the messages of one channel since the bus was opened.
 struct ChannelCounters {
-  std::int64_t received = 0;  ///< decoded, valid, handed on
-  std::map<std::string, std::int64_t>
-      refused;  ///< by reason: "fingerprint", "truncated", "length", "trailing", "value ..."
+  std::int64_t received = 0;                    ///< decoded, valid, handed on
+  std::map<std::string, std::int64_t> refused;  ///< by reason: "not authentic", "replayed",
+                                                ///< "fingerprint", "truncated", "length",
+                                                ///< "trailing", "seal", "value ..."
 };
 
-/// One LCM connection, made safe. Messages are subscribed to raw: LCM's handler only copies the
-/// bytes; Poll() then checks the fingerprint, walks the lengths, decodes, validates and calls the
-/// handlers on the caller's thread, with no C frame below. So a handler may throw (Poll passes it
-/// on), publish, subscribe, and take its time, though what arrives meanwhile waits in LCM's queue
-/// and is dropped beyond the channel's capacity. Nothing unchecked ever reaches a handler; what is
-/// refused is counted by channel and reason. A process also hears its own messages.
+/// One LCM connection, made safe. A bus with ttl=0 hears this machine alone (host_filter.h). With a
+/// key, what is sent carries a tag and what carries none or a wrong one is refused before anything
+/// else looks at it (authenticity.h). Messages are subscribed to raw: LCM's handler only copies the
+/// bytes; Poll() then checks the tag, the fingerprint, walks the lengths, decodes, validates and
+/// calls the handlers on the caller's thread, with no C frame below. So a handler may throw (Poll
+/// passes it on), publish, subscribe, and take its time, though what arrives meanwhile waits in
+/// LCM's queue and is dropped beyond the channel's capacity. Nothing unchecked ever reaches a
+/// handler; what is refused is counted by channel and reason. A process also hears its own
+/// messages.
 ///
 /// Threads: a Bus belongs to one thread, but for Wake() and PublishRaw(), which any thread may
 /// call. One Bus a process (two with a bus of its own for inference).
@@ -49,14 +56,19 @@ class Bus {
   /// @param url as ResolveBusUrl takes it; empty for the environment's or the default
   /// @param chaos faults to be suffered, as ParseChaos takes them; empty for the process's own
   /// (SetChaos), which by default are none
+  /// @param key of the deployment; null for the process's own (SetProcessBusKey), by default none
   /// @throws BusError saying what to do; std::invalid_argument as ParseChaos does
-  explicit Bus(const std::string& url = "", const std::string& chaos = "");
+  explicit Bus(const std::string& url = "", const std::string& chaos = "",
+               const BusKey* key = nullptr);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
   /// The URL in use, resolved.
   const std::string& url() const { return url_; }
+
+  /// Whether messages carry tags here and those without are refused.
+  bool keyed() const { return verifier_ != nullptr; }
 
   /// Calls `handler` from Poll() for each valid message of `channel`. The name is taken literally,
   /// not as a regular expression. Several handlers on one channel are called in order of
@@ -72,8 +84,8 @@ class Bus {
     Subscribe<T>(ChannelOf<T>(), std::move(handler));
   }
 
-  /// Calls `handler` from Poll() for each message on any channel, unchecked: for tools that list
-  /// traffic. @throws BusError
+  /// Calls `handler` from Poll() for each message on any channel, without its tag and unchecked but
+  /// for that: for tools that list traffic. @throws BusError
   void SubscribeAll(std::function<void(const RawMessage&)> handler);
 
   /// Sends a message. @return false when LCM could not send it (too large, no route any more); true
@@ -133,9 +145,11 @@ class Bus {
 
   void Open(const std::string& channel, int queue_capacity);
   void Listen(int timeout_ms);
-  void Dispatch(const RawMessage& message);
+  void Dispatch(RawMessage message);
 
   std::string url_;
+  std::unique_ptr<MessageSigner> signer_;      // null: an open bus
+  std::unique_ptr<MessageVerifier> verifier_;  // null: an open bus
   std::map<std::string, std::unique_ptr<Hub>> hubs_;
   std::vector<std::function<void(const RawMessage&)>> raw_handlers_;
   std::map<std::string, ChannelCounters> counters_;

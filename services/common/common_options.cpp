@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 
+#include "services/common/bus_key.h"
 #include "services/common/chaos.h"
 #include "services/common/health.h"
 #include "services/common/ids.h"
@@ -14,6 +15,11 @@ namespace prospect::services {
 void AddCommonOptions(CLI::App& app, CommonOptions& options) {
   app.add_option("--bus", options.bus,
                  "LCM URL; empty: LCM_DEFAULT_URL, then udpm://239.255.76.67:7667?ttl=0");
+  app.add_option(
+         "--key", options.key,
+         "the deployment's key: messages of whoever does not have it are refused; empty: an "
+         "open bus, where whoever can send is believed")
+      ->envname("PROSPECT_KEY_FILE");
   app.add_option("--log-level", options.log_level, "trace, debug, info, warn, error, off")
       ->envname("PROSPECT_LOG_LEVEL")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}))
@@ -40,6 +46,7 @@ void AddInstanceFileOption(CLI::App& app, CommonOptions& options) {
 
 void ApplyCommonOptions(const CommonOptions& options, const std::string& component) {
   SetUpLog(component, options.log_level);
+  if (!options.key.empty()) SetProcessBusKey(ReadBusKey(options.key));
   SetDeploymentId(options.deployment);
   SetChaos(options.chaos);
   SetInstanceFile(options.instance_file);
