@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "services/common/authenticity.h"
 #include "services/common/run_main.h"
 
 namespace prospect::services {
@@ -56,6 +57,7 @@ bool EventLog::ReadAt(std::int64_t offset, LogEvent& event) {
   file_.read(event.channel.data(), channel_bytes);
   file_.read(reinterpret_cast<char*>(event.bytes.data()), data_bytes);
   if (!file_) return false;
+  event.bytes.resize(UntaggedSize(event.bytes.data(), event.bytes.size()));
   offset_ = end;
   ++events_;
   return true;

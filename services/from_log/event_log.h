@@ -7,7 +7,7 @@
 
 namespace prospect::services {
 
-/// One message of a log, as lcm-logger wrote it.
+/// One message of a log, as lcm-logger wrote it, without the tag of a deployment's key.
 struct LogEvent {
   std::int64_t utime = 0;  ///< when it was logged, microseconds since the epoch
   std::string channel;

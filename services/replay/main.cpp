@@ -1,5 +1,5 @@
-// prospect-replay: rebuilds searches from a log of the bus, and repeats a worker's searches from
-// its journal.
+// prospect-replay: plays a log of the bus for people to look at, rebuilds searches from one, and
+// repeats a worker's searches from its journal.
 
 #include <CLI/CLI.hpp>
 #include <cinttypes>
@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "services/binding/search_table.h"
+#include "services/common/common_options.h"
 #include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
+#include "services/replay/log_player.h"
 
 namespace {
 
@@ -80,10 +82,40 @@ int ReplayWorker(const Options& options) {
   return kExitTolerance;
 }
 
+int Play(const CommonOptions& common, PlayOptions options) {
+  ApplyCommonOptions(common, "replay");
+  if (!common.bus.empty()) options.bus = common.bus;
+  std::fprintf(stderr, "Playing on another bus: ./prospect spy --bus '%s'\n", options.bus.c_str());
+  const PlayResult result = PlayLog(options);
+  std::printf("%" PRId64 " messages played", result.played);
+  if (result.commands_left_out > 0)
+    std::printf(", %" PRId64 " commands left out (--with-commands plays them, too)",
+                result.commands_left_out);
+  if (result.damaged > 0) std::printf(", %" PRId64 " damaged places skipped", result.damaged);
+  std::printf("\n");
+  return result.interrupted ? kExitInterrupted : kExitSuccess;
+}
+
+CLI::App* AddPlay(CLI::App& app, CommonOptions& common, PlayOptions& options) {
+  CLI::App* play = app.add_subcommand(
+      "play", "play a log onto a bus of its own, without commands: nothing moves");
+  AddCommonOptions(*play, common);
+  play->add_option("log", options.log, "what lcm-logger wrote")->required();
+  play->add_option("--speed", options.speed, "times as fast as it was recorded")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  play->add_flag("--with-commands", options.with_commands,
+                 "ACTION_COMMAND and SIM_COMMAND, too: a robot on that bus obeys them");
+  return play;
+}
+
 int Run(int argc, char** argv) {
-  CLI::App app("Searches again, from what was written down");
+  CLI::App app("Recordings: played, and searched again");
   app.require_subcommand(1);
   Options options;
+  CommonOptions common;
+  PlayOptions play_options;
+  const CLI::App* play = AddPlay(app, common, play_options);
   CLI::App* bus = app.add_subcommand("bus", "rebuild evaluations and rows from a log of the bus");
   bus->add_option("log", options.log, "what lcm-logger wrote")->required();
   bus->add_option("--tables", options.tables, "write each search's table into this folder");
@@ -97,6 +129,7 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  if (*play) return Play(common, play_options);
   if (*journal) return ReplayWorker(options);
   ReplayBus(options);
   return kExitSuccess;

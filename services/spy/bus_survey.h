@@ -21,6 +21,8 @@ struct SurveyRow {
   std::int64_t bytes = 0;
   std::int64_t undecodable =
       0;  ///< unknown type, bytes that are no whole message, or the wrong type for our channel
+  std::int64_t refused = 0;  ///< without the deployment's key, or played again
+  std::int64_t tagged = 0;   ///< carry a tag that nobody here could check, for want of the key
 };
 
 /// Counts traffic by channel: the spy without a window. Knows types by their fingerprint and
@@ -36,8 +38,8 @@ class BusSurvey {
   /// A table for people. @param seconds time listened, above 0
   void Print(double seconds, std::ostream& out) const;
 
-  /// Keys: seconds, messages, undecodable, rows: [{channel, type, messages, rate_hz, bytes_per_s,
-  /// undecodable}].
+  /// Keys: seconds, messages, undecodable, refused, tagged, rows: [{channel, type, messages,
+  /// rate_hz, bytes_per_s, undecodable, refused, tagged}].
   nlohmann::json ToJson(double seconds) const;
 
  private:

@@ -218,5 +218,64 @@ TEST(Bus, PortsDoNotHearEachOther) {
   EXPECT_EQ(there, 0);
 }
 
+// Of one deployment: they hear each other, themselves, and nobody else.
+TEST(KeyedBus, HearsWhoeverHasTheKeyAndCountsTheOthers) {
+  const BusKey key{{1}}, other_key{{2}};
+  Bus sender("", "", &key), receiver("", "", &key), stranger("", "", &other_key), open;
+  std::vector<std::int64_t> heard, openly;
+  receiver.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  open.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { openly.push_back(stop.search_id); });
+  sender.Publish(Stop(1));
+  stranger.Publish(Stop(2));
+  open.Publish(Stop(3));
+  sender.Publish(Stop(4));
+  receiver.Publish(Stop(5));
+  ASSERT_TRUE(PollUntil({&receiver}, [&] { return heard.size() == 3; }));
+  EXPECT_EQ(heard, (std::vector<std::int64_t>{1, 4, 5}));
+  const std::map<std::string, std::int64_t> expected = {{"not authentic", 2}};
+  EXPECT_EQ(receiver.counters().at("SEARCH_STOP").refused, expected);
+  EXPECT_EQ(receiver.received(), 3);
+  EXPECT_TRUE(receiver.keyed());
+  EXPECT_FALSE(open.keyed());
+
+  ASSERT_TRUE(PollUntil({&open}, [&] { return open.refused() == 4; }));
+  EXPECT_EQ(openly, (std::vector<std::int64_t>{3})) << "a tag is not taken for part of a message";
+}
+
+TEST(KeyedBus, WhatIsPlayedAgainIsRefused) {
+  const BusKey key{{1}};
+  Bus sender("", "", &key), receiver("", "", &key), recorder;
+  int heard = 0;
+  std::vector<RawMessage> recorded;
+  receiver.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  recorder.SubscribeAll([&](const RawMessage& message) {
+    if (message.channel == "SEARCH_STOP") recorded.push_back(message);
+  });
+  sender.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&receiver, &recorder}, [&] { return heard == 1 && !recorded.empty(); }));
+  const auto bytes = recorded.front().bytes;
+  for (int i = 0; i < 3; ++i) recorder.PublishRaw("SEARCH_STOP", bytes);
+  sender.Publish(Stop(2));
+  ASSERT_TRUE(PollUntil({&receiver}, [&] { return heard == 2; }));
+  EXPECT_EQ(receiver.counters().at("SEARCH_STOP").refused.at("replayed"), 3);
+}
+
+TEST(KeyedBus, SubscribeAllShowsMessagesWithoutTagsAndWhatIsRefused) {
+  const BusKey key{{1}};
+  Bus sender("", "", &key), reader("", "", &key), open;
+  std::vector<RawMessage> seen;
+  reader.SubscribeAll([&](const RawMessage& message) {
+    if (message.channel == "SEARCH_STOP") seen.push_back(message);
+  });
+  sender.Publish(Stop(1));
+  open.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&reader}, [&] { return seen.size() == 2; }));
+  EXPECT_EQ(seen[0].bytes, messages::CheckedEncode(Stop(1)));
+  EXPECT_EQ(seen[0].refused, nullptr);
+  EXPECT_STREQ(seen[1].refused, "not authentic");
+}
+
 }  // namespace
 }  // namespace prospect::services

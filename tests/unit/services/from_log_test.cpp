@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "model/dataset.h"
+#include "services/common/authenticity.h"
 #include "services/common/run_main.h"
 #include "services/from_log/log_importer.h"
 #include "tests/unit/services/log_writer.h"
@@ -234,6 +235,26 @@ TEST_F(FromLog, BadMessagesAreCountedAndSkipped) {
   const std::map<std::string, std::int64_t> expected = {
       {"OBSERVATION: truncated", 1}, {"OBSERVATION: value data: wrong picture size", 1}};
   EXPECT_EQ(importer_.refused(), expected);
+}
+
+// A recording of a deployment with a key: the tag is no part of the message.
+TEST_F(FromLog, TaggedMessagesAreReadWithoutTheirTags) {
+  {
+    LogWriter log(path_);
+    MessageSigner signer(BusKey{{1}});
+    const auto write = [&](const char* channel, std::vector<std::uint8_t> bytes) {
+      signer.Sign(channel, &bytes);
+      log.WriteRaw(channel, bytes);
+    };
+    write("TASK", messages::CheckedEncode(Task()));
+    for (std::int64_t frame = 0; frame <= 4; ++frame) {
+      write("OBSERVATION", messages::CheckedEncode(Observation(7, frame)));
+      write("LABEL", messages::CheckedEncode(Label(7, frame)));
+    }
+  }
+  Import();
+  EXPECT_EQ(trials_.size(), 1u);
+  EXPECT_TRUE(importer_.refused().empty());
 }
 
 TEST_F(FromLog, ACutTailCostsOnlyTheTail) {

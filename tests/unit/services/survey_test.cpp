@@ -17,7 +17,7 @@ SurveyRow RowOf(const BusSurvey& survey, const std::string& channel) {
 }
 
 RawMessage Message(const std::string& channel, std::vector<std::uint8_t> bytes) {
-  return {channel, 0, std::move(bytes)};
+  return {channel, 0, std::move(bytes), nullptr};
 }
 
 TEST(Survey, CountsByChannelAndKnowsTypes) {
@@ -36,6 +36,23 @@ TEST(Survey, CountsByChannelAndKnowsTypes) {
   EXPECT_EQ(RowOf(survey, "STRANGE").type, "?");
   EXPECT_EQ(RowOf(survey, "STRANGE").undecodable, 1);
   EXPECT_EQ(RowOf(survey, "TASK").undecodable, 1);
+}
+
+TEST(Survey, TellsTaggedAndRefusedMessages) {
+  BusSurvey survey;
+  auto tagged = messages::CheckedEncode(search_stop_t{});
+  tagged.resize(tagged.size() + 24);
+  survey.Add(Message("SEARCH_STOP", tagged));
+  RawMessage refused = Message("SEARCH_STOP", tagged);
+  refused.refused = "not authentic";
+  survey.Add(refused);
+  const SurveyRow row = RowOf(survey, "SEARCH_STOP");
+  EXPECT_EQ(row.undecodable, 0);
+  EXPECT_EQ(row.tagged, 1);
+  EXPECT_EQ(row.refused, 1);
+  std::ostringstream text;
+  survey.Print(1, text);
+  EXPECT_NE(text.str().find("1 messages carry a tag"), std::string::npos) << text.str();
 }
 
 TEST(Survey, ReportsRates) {
