@@ -14,6 +14,7 @@
 #include "services/common/common_options.h"
 #include "services/common/health.h"
 #include "services/common/health_monitor.h"
+#include "services/common/host_filter.h"
 #include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
@@ -101,6 +102,17 @@ nlohmann::json ReadServices(const std::string& path) {
   return services.is_discarded() ? nlohmann::json() : services;
 }
 
+// Who can be heard here, and who is believed.
+void PrintReach(const Bus& bus, std::ostream& out) {
+  out << "Bus " << bus.url() << ": hears " << ReachInWords(bus.url()) << ", "
+      << (bus.keyed() ? "believes whoever has the key"
+                      : "open: whoever can send on it can move the robot")
+      << "\n";
+  if (bus.refused() > 0)
+    out << bus.refused() << " messages were refused: "
+        << (bus.keyed() ? "not from whoever has this key" : "do they need a key (--key)?") << "\n";
+}
+
 int Status(const StatusOptions& options) {
   ApplyCommonOptions(options.common, "status");
   Bus bus(options.common.bus);
@@ -110,10 +122,18 @@ int Status(const StatusOptions& options) {
     Listen(bus, options.seconds);
     rows = StatusRows(monitor.Alive(), ReadServices(options.services_file), SteadyMs());
     if (options.watch) std::cout << "\033[H\033[2J";  // the table takes the screen's place
+    PrintReach(bus, std::cout);
     PrintStatus(rows, std::cout);
     std::cout.flush();
   } while (options.watch && !StopRequested());
-  if (!options.json.empty()) WriteJsonFile(options.json, StatusJson(rows));
+  if (!options.json.empty()) {
+    nlohmann::json report = StatusJson(rows);
+    report["bus"] = bus.url();
+    report["reach"] = ReachInWords(bus.url());
+    report["keyed"] = bus.keyed();
+    report["refused"] = bus.refused();
+    WriteJsonFile(options.json, report);
+  }
   return AllWell(rows) || options.watch ? kExitSuccess : kExitServiceLost;
 }
 
