@@ -229,10 +229,11 @@ TEST_P(OtherLanguage, SignsAndVerifiesAsWeDo) {
   EXPECT_EQ(Run("verify", "TASK", {ours.begin(), ours.end()}), "refused");
 }
 
+const char* const kNames[] = {"Python", "Java", "PlainCpp"};
 INSTANTIATE_TEST_SUITE_P(All, OtherLanguage,
                          testing::Values("python3 " PROSPECT_KEYED "/keyed.py",
-                                         "java " PROSPECT_KEYED "/Keyed.java"),
-                         [](const auto& one) { return one.index == 0 ? "Python" : "Java"; });
+                                         "java " PROSPECT_KEYED "/Keyed.java", PROSPECT_KEYED_CPP),
+                         [](const auto& one) { return std::string(kNames[one.index]); });
 
 }  // namespace
 }  // namespace prospect::services

@@ -6,7 +6,12 @@ prospect_test(services_supervisor_test SOURCES supervisor_test.cpp LIBS prospect
 prospect_test(services_common_test SOURCES common_test.cpp LIBS prospect_bus)
 prospect_bus_test(services_chaos_test SOURCES chaos_test.cpp LIBS prospect_bus)
 prospect_test(services_authenticity_test SOURCES authenticity_test.cpp LIBS prospect_bus)
-target_compile_definitions(services_authenticity_test PRIVATE PROSPECT_KEYED="${CMAKE_SOURCE_DIR}/examples/keyed")
+target_compile_definitions(services_authenticity_test PRIVATE PROSPECT_KEYED="${CMAKE_SOURCE_DIR}/examples/keyed"
+  PROSPECT_KEYED_CPP="$<TARGET_FILE:keyed-example>")
+add_executable(keyed-example ${CMAKE_SOURCE_DIR}/examples/keyed/keyed.cpp)
+prospect_target(keyed-example)
+target_link_libraries(keyed-example PRIVATE OpenSSL::Crypto)
+add_dependencies(services_authenticity_test keyed-example)
 add_executable(tag_bench ${CMAKE_SOURCE_DIR}/tests/benchmarks/tag_bench.cpp)
 prospect_target(tag_bench)
 target_link_libraries(tag_bench PRIVATE prospect_bus)
