@@ -88,8 +88,9 @@ TEST_P(Reach, PlainLcmHearsADatagramToTheMachine) {
   EXPECT_TRUE(plain.Hears());
 }
 
-TEST_P(Reach, ABusOfTheNetworkHearsItsGroupAndNoDatagramToTheMachine) {
-  if (std::string(GetParam()) == "lo") GTEST_SKIP() << "a network bus needs a route to it";
+class NetworkReach : public Reach {};
+
+TEST_P(NetworkReach, HearsItsGroupAndNoDatagramToTheMachine) {
   services::Bus bus(Url(7703, 1));
   std::vector<std::int64_t> heard;
   bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
@@ -104,8 +105,9 @@ TEST_P(Reach, ABusOfTheNetworkHearsItsGroupAndNoDatagramToTheMachine) {
   EXPECT_EQ(heard.back(), 7);
 }
 
-INSTANTIATE_TEST_SUITE_P(MulticastBy, Reach, testing::Values("lo", "eth0"),
-                         [](const auto& one) { return std::string(one.param); });
+std::string Interface(const testing::TestParamInfo<const char*>& one) { return one.param; }
+INSTANTIATE_TEST_SUITE_P(MulticastBy, Reach, testing::Values("lo", "eth0"), Interface);
+INSTANTIATE_TEST_SUITE_P(MulticastBy, NetworkReach, testing::Values("eth0"), Interface);
 
 }  // namespace
 }  // namespace prospect::tests
