@@ -218,7 +218,8 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
     result["what_if"] = WhatIfJson(*record.explanation->what_if);
   if (record.confidence) result["confidence"] = ConfidenceJson(*record.confidence);
   if (record.familiarity) result["novelty"] = NoveltyJson(*record.familiarity);
-  return result.dump(2) + '\n';
+  // What services and robots say is in whatever encoding it is.
+  return result.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
 void WriteText(const std::string& path, const std::string& text) {
