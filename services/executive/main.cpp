@@ -25,6 +25,7 @@ namespace {
 using namespace prospect::services;
 
 void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
+  app.add_option("--task", options.task, "refuse another than this; empty: whatever is up");
   app.add_option("--seed", options.seed, "scene")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

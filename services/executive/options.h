@@ -12,6 +12,7 @@ namespace prospect::services {
 
 /// What a person may ask of one episode; the defaults are those of the command line.
 struct ExecutiveOptions {
+  std::string task;                  ///< another on the bus is refused; empty: whatever is there
   std::int64_t seed = 2000000;       ///< scene
   int objects = 0;                   ///< on the site; 0: as the simulator stands
   int legs = 0;                      ///< actions in a complete plan; 0: as the simulator stands

@@ -9,6 +9,7 @@ namespace prospect::services {
 namespace {
 
 constexpr std::int64_t kLookTimeoutMs = 5000;
+constexpr int kSilentMs = 1500;                       // TASK and HEALTH come once a second
 constexpr std::int64_t kCalibrationTimeoutMs = 5000;  // several times the servers' period
 
 bool Searches(const ExecutiveOptions& options) { return options.policy == "search"; }
@@ -89,6 +90,14 @@ void RequireJudgement(Conversation& talk, const ExecutiveOptions& options) {
   }
 }
 
+// Before anything moves: a plan for one task must not be tried on another's robot.
+void RequireTask(Conversation& talk, const ExecutiveOptions& options) {
+  const auto& task = talk.view().task();
+  if (options.task.empty() || !task || task->name == options.task) return;
+  throw ExitError(kExitUsage, "--task " + options.task + ", but " + task->name + " is up on " +
+                                  talk.bus().url() + ": leave the option out, or start another");
+}
+
 }  // namespace
 
 std::string HexText(std::int64_t value) {
@@ -99,11 +108,14 @@ std::string HexText(std::int64_t value) {
 
 void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
   const auto complete = [&] {
+    RequireTask(talk, options);
     RequireJudgement(talk, options);
     return Missing(talk, options).empty();
   };
-  const bool there = talk.Until(complete, options.services_timeout_ms);
-  if (there) return;
+  const int silent_ms = std::min(kSilentMs, options.services_timeout_ms);
+  if (talk.Until(complete, silent_ms)) return;
+  std::fprintf(stderr, "waiting for%s\n", Missing(talk, options).c_str());
+  if (talk.Until(complete, options.services_timeout_ms - silent_ms)) return;
   throw ExitError(kExitServiceLost, "still missing on " + talk.bus().url() + ":" +
                                         Missing(talk, options) + " start them with ./prospect up");
 }

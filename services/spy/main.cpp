@@ -2,6 +2,7 @@
 //   prospect-bus check --seconds S [--json FILE]   lists channels, types, rates and what could not
 //   be decoded
 //   prospect-bus wait --services LIST              returns when they are there and ready
+//   prospect-bus heard                             returns when anybody of a deployment is heard
 //   prospect-bus health --instance-file FILE       is that very service at work (for health checks)
 //   prospect-bus status [--watch] [--json FILE]    every process: its state, age, queue, restarts
 #include <CLI/CLI.hpp>
@@ -43,6 +44,11 @@ struct HealthOptions {
   double seconds = 3;  // three signs of life
 };
 
+struct HeardOptions {
+  CommonOptions common;
+  double seconds = 3;  // three signs of life
+};
+
 struct StatusOptions {
   CommonOptions common;
   std::string services_file;
@@ -80,6 +86,14 @@ int Wait(const WaitOptions& options) {
   Bus bus(options.common.bus);
   HealthMonitor monitor(bus);
   WaitForServices(bus, monitor, wanted, options.seconds);
+  return kExitSuccess;
+}
+
+int Heard(const HeardOptions& options) {
+  ApplyCommonOptions(options.common, "bus");
+  Bus bus(options.common.bus);
+  const HealthMonitor monitor(bus);
+  RequireSomebody(bus, monitor, options.seconds);
   return kExitSuccess;
 }
 
@@ -152,6 +166,15 @@ CLI::App* AddHealth(CLI::App& app, HealthOptions& options) {
   return health;
 }
 
+CLI::App* AddHeard(CLI::App& app, HeardOptions& options) {
+  CLI::App* heard = app.add_subcommand("heard", "is anybody of a deployment there");
+  AddCommonOptions(*heard, options.common);
+  heard->add_option("--seconds", options.seconds, "how long to listen at most")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  return heard;
+}
+
 CLI::App* AddStatus(CLI::App& app, StatusOptions& options) {
   CLI::App* status = app.add_subcommand("status", "every process: state, age, queue, restarts");
   AddCommonOptions(*status, options.common);
@@ -219,7 +242,9 @@ int Run(int argc, char** argv) {
   HealthOptions health_options;
   const CLI::App* check = AddCheck(app, check_options);
   const CLI::App* status = AddStatus(app, status_options);
+  HeardOptions heard_options;
   const CLI::App* health = AddHealth(app, health_options);
+  const CLI::App* heard = AddHeard(app, heard_options);
   AddWait(app, wait_options);
   CommonOptions probe_options;
   const CLI::App* probe =
@@ -233,6 +258,7 @@ int Run(int argc, char** argv) {
   if (probe->parsed()) return Probe(probe_options);
   if (status->parsed()) return Status(status_options);
   if (health->parsed()) return Health(health_options);
+  if (heard->parsed()) return Heard(heard_options);
   return check->parsed() ? Check(check_options) : Wait(wait_options);
 }
 

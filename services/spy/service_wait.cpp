@@ -1,6 +1,7 @@
 #include "services/spy/service_wait.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 #include "services/common/clock.h"
@@ -21,6 +22,12 @@ int ParseCount(const std::string& digits, const std::string& text) {
                       digits.find_first_not_of("0123456789") == std::string::npos;
   if (!number) RefuseServices(text);
   return std::stoi(digits);
+}
+
+// A robot need not send HEALTH.
+bool HasHeardARobot(const Bus& bus) {
+  const auto task = bus.counters().find(ChannelOf<task_t>());
+  return task != bus.counters().end() && task->second.received > 0;
 }
 
 bool IsAtWork(const HealthMonitor::Peer& peer) {
@@ -79,6 +86,28 @@ void WaitForServices(Bus& bus, HealthMonitor& monitor, const ServiceCounts& want
     bus.Poll(static_cast<int>(std::min(left_ms, kTurnMs)));
     monitor.RequireOwnBus(0);
     missing = MissingServices(wanted, monitor);
+  }
+}
+
+void RequireSomebody(Bus& bus, const HealthMonitor& monitor, double seconds) {
+  constexpr std::int64_t kSilentMs = 1000;
+  const std::int64_t start_ms = SteadyMs();
+  const std::int64_t end_ms = start_ms + static_cast<std::int64_t>(1000 * seconds);
+  bool told = false;
+  bus.Subscribe<task_t>([](const task_t&) {});  // so that they are counted
+  while (!HasHeardARobot(bus) && monitor.Alive().empty()) {
+    const std::int64_t now_ms = SteadyMs();
+    if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");
+    if (now_ms >= end_ms) {
+      const char* refused = bus.refused() > 0 ? " (what is heard is refused: --key FILE?)" : "";
+      throw ExitError(kExitServiceLost,
+                      "nothing is up on " + bus.url() + refused + ": ./prospect up");
+    }
+    if (!told && now_ms >= start_ms + kSilentMs) {
+      told = true;
+      std::fprintf(stderr, "waiting for somebody on %s\n", bus.url().c_str());
+    }
+    bus.Poll(static_cast<int>(std::min<std::int64_t>(end_ms - now_ms, 100)));
   }
 }
 

@@ -24,6 +24,11 @@ std::string DescribeMissing(const ServiceCounts& missing, const HealthMonitor& m
 /// `seconds`, kExitBusInUse when another deployment is heard, kExitInterrupted on a signal
 void WaitForServices(Bus& bus, HealthMonitor& monitor, const ServiceCounts& wanted, double seconds);
 
+/// Listens until something of a deployment is heard: a process's HEALTH or a robot's TASK. Says
+/// that it waits when that takes more than a second. @throws ExitError: kExitServiceLost when
+/// nothing is heard within `seconds`, kExitInterrupted on a signal
+void RequireSomebody(Bus& bus, const HealthMonitor& monitor, double seconds);
+
 /// Polls the bus until this instance says that it is at work, and returns what it said.
 /// @throws ExitError: kExitServiceLost with its last word when it does not within `seconds`,
 /// kExitInterrupted on a signal

@@ -56,6 +56,23 @@ TEST_F(ServiceWait, ReturnsOnceAllAreReady) {
   EXPECT_NO_THROW(WaitForServices(bus_, monitor_, wanted, 5));
 }
 
+TEST_F(ServiceWait, SomebodyIsAProcessOrARobotWithoutHealth) {
+  EXPECT_EQ(CodeOf([&] { RequireSomebody(bus_, monitor_, 0.2); }), kExitServiceLost);
+  task_t task{};
+  task.name = "navigation";
+  task.actions.resize(1);
+  task.actions[0].name = "investigate";
+  task.plan_length = task.image_width = task.image_height = 1;
+  task.tick_seconds = task.action_time_limit = 1;
+  messages::SetCounts(task);
+  bus_.Publish(task);
+  EXPECT_NO_THROW(RequireSomebody(bus_, monitor_, 5));
+  HealthBeacon worker(bus_, "worker");
+  worker.PublishNow();
+  ASSERT_TRUE(PollUntil({&bus_}, [&] { return !monitor_.Alive().empty(); }));
+  EXPECT_NO_THROW(RequireSomebody(bus_, monitor_, 0.2));
+}
+
 TEST_F(ServiceWait, NamesWhatIsMissingAndWhy) {
   HealthBeacon model(bus_, "model");
   model.SetState(health_t::STATE_FAULT, "weights are for another task");
