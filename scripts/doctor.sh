@@ -64,7 +64,7 @@ check_receive_buffer() {
 check_bus() {
   local said
   [ -x "$BIN/prospect-bus" ] && has_multicast_route || return 0
-  said=$("$BIN/prospect-bus" probe --bus "$BUS" --deployment "$(cat "$STATE/deployment" 2>/dev/null || echo 1)" 2>&1)
+  said=$("$BIN/prospect-bus" probe --bus "$BUS" --deployment "${PROSPECT_DEPLOYMENT:-1}" 2>&1)
   local code=$?
   said=$(printf '%s' "$said" | tail -n 1)
   [ "$code" = 0 ] && { ok bus "$said"; return; }
@@ -113,7 +113,7 @@ cmd_doctor() {
     esac
     shift
   done
-  STATE=$(state_dir)
+  join_deployment
   local check
   for check in packages programs route receive_buffer bus clock java jar weights; do "check_$check"; done
   exit "$DOCTOR_FAULT"

@@ -25,7 +25,7 @@ void SetUpLog(const std::string& component, const std::string& level) {
   const auto parsed = ParseLevel(level);
   auto logger = std::make_shared<spdlog::logger>(
       component, std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
-  logger->set_pattern("%H:%M:%S.%e %^%-5l%$ %n: %v");
+  logger->set_pattern(kLogPattern);
   logger->set_level(parsed);
   logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(std::move(logger));

@@ -4,6 +4,9 @@
 
 namespace prospect::services {
 
+/// How a line of a log looks, for spdlog.
+inline constexpr char kLogPattern[] = "%H:%M:%S.%e %^%-5l%$ %n: %v";
+
 /// Sets up spdlog's default logger for this process: one line an event on stderr, as "time LEVEL
 /// component: text". Use spdlog::info("...") and its kin afterwards; stdout stays free for results.
 /// @param component the program's short name, such as "worker"

@@ -10,12 +10,10 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "services/common/run_main.h"
-
 namespace prospect::services {
 namespace {
 
-[[noreturn]] void Become(const std::vector<char*>& words, int log, int parent) {
+[[noreturn]] void Become(const std::vector<char*>& words, int output, int parent) {
   setsid();
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);  // the parent died before the line above
@@ -24,27 +22,21 @@ namespace {
   sigprocmask(SIG_SETMASK, &none, nullptr);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
   execv(words[0], words.data());
   _exit(127);
 }
 
 }  // namespace
 
-int StartChild(const std::vector<std::string>& command, const std::string& log) {
+int StartChild(const std::vector<std::string>& command, int output) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file < 0) {
-    throw ExitError(kExitDisk, "cannot write " + log + " (" + std::strerror(errno) +
-                                   "): check the folder and the space left");
-  }
   const int parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) Become(words, file, parent);
-  close(file);
+  if (pid == 0) Become(words, output, parent);
   if (pid < 0) throw std::runtime_error(std::string("no new process: ") + std::strerror(errno));
   return pid;
 }

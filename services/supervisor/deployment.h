@@ -17,6 +17,7 @@ struct DeploymentSpec {
   std::string bus;
   std::string task;
   std::string weights;
+  std::string key;    ///< file, by which PROSPECT_KEY_FILE is set; empty: an open bus
   std::string chaos;  ///< faults for every process, its seed moved on from one to the next
   std::vector<std::string> scene;  ///< further arguments of the simulator
   bool simulator = true;           ///< false: a robot is in its place

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -23,22 +23,29 @@ using nlohmann::json;
 
 bool IsWorker(const ServiceSpec& spec) { return spec.name.rfind("worker-", 0) == 0; }
 
-// The last line of a log: what the service said before it ended.
-std::string LastLine(const std::string& path) {
-  std::ifstream in(path);
-  std::string last;
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) last = line;
+// Logs of workers that an earlier, larger deployment had would tell of this one.
+void RemoveOldLogs(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("worker-", 0) == 0 && entry.path().extension() == ".log") {
+      std::filesystem::remove(entry.path(), ignored);
+    }
   }
-  return last;
+}
+
+const char* WorldOf(const DeploymentSpec& deployment) {
+  if (!deployment.simulator) return "robot";
+  return deployment.player ? "video" : "simulator";
 }
 
 }  // namespace
 
 Supervisor::Supervisor(DeploymentSpec deployment, int workers, std::string state, std::string logs)
     : deployment_(std::move(deployment)), state_(std::move(state)), logs_(std::move(logs)) {
-  services_.emplace_back(ModelSpec(deployment_));
-  if (deployment_.simulator) services_.emplace_back(SimulatorSpec(deployment_));
+  RemoveOldLogs(logs_);
+  Add(ModelSpec(deployment_));
+  if (deployment_.simulator) Add(SimulatorSpec(deployment_));
   Scale(workers);
   WriteState();
   Turn();
@@ -46,11 +53,23 @@ Supervisor::Supervisor(DeploymentSpec deployment, int workers, std::string state
 
 Supervisor::~Supervisor() { Stop(0); }
 
-std::string Supervisor::LogOf(const Service& service) const {
-  return logs_ + "/" + service.spec.name + ".log";
+void Supervisor::Add(ServiceSpec spec) {
+  const std::string log = logs_ + "/" + spec.name + ".log";
+  services_.emplace_back(std::move(spec), log);
+}
+
+std::vector<int> Supervisor::Outputs() const {
+  std::vector<int> outputs;
+  for (const Service& service : services_) outputs.push_back(service.log.output());
+  return outputs;
+}
+
+void Supervisor::DrainLogs() {
+  for (Service& service : services_) service.log.Drain();
 }
 
 void Supervisor::Turn() {
+  DrainLogs();
   for (EndedChild ended = ReapChild(); ended.pid >= 0; ended = ReapChild()) {
     NoteEnd(ended.pid, ended.status);
   }
@@ -65,17 +84,22 @@ void Supervisor::Turn() {
 void Supervisor::KeepState() const {
   try {
     WriteState();
-  } catch (const ExitError& error) {
+  } catch (const std::exception& error) {
     spdlog::error("{}; the services go on", error.what());
   }
 }
 
 void Supervisor::Start(Service* service) {
-  service->pid = StartChild(service->spec.command, LogOf(*service));
-  service->state = State::kRunning;
   service->started_ms = SteadyMs();
   ++service->restarts;
   changed_ = true;
+  try {
+    service->pid = StartChild(service->spec.command, service->log.input());
+  } catch (const std::exception& error) {
+    DecideAfterEnd(service, 1, error.what());
+    return;
+  }
+  service->state = State::kRunning;
   spdlog::info("{} {}, pid {}", service->spec.name,
                service->restarts == 0 ? "started" : "started again", service->pid);
 }
@@ -89,13 +113,18 @@ void Supervisor::NoteEnd(int pid, int status) {
     services_.erase(found);
     return;
   }
-  found->pid = -1;
-  found->last_exit = status;
-  found->last_words = LastLine(LogOf(*found));
-  const auto pause_ms = found->policy.AfterEnd(status, SteadyMs() - found->started_ms);
-  found->state = pause_ms ? State::kWaiting : State::kGivenUp;
-  found->due_ms = SteadyMs() + pause_ms.value_or(0);
-  spdlog::warn("{} ended with {}: {}; {}", found->spec.name, status, found->last_words,
+  found->log.Drain();
+  DecideAfterEnd(&*found, status, found->log.LastLine());
+}
+
+void Supervisor::DecideAfterEnd(Service* service, int status, std::string last_words) {
+  service->pid = -1;
+  service->last_exit = status;
+  service->last_words = std::move(last_words);
+  const auto pause_ms = service->policy.AfterEnd(status, SteadyMs() - service->started_ms);
+  service->state = pause_ms ? State::kWaiting : State::kGivenUp;
+  service->due_ms = SteadyMs() + pause_ms.value_or(0);
+  spdlog::warn("{} ended with {}: {}; {}", service->spec.name, status, service->last_words,
                pause_ms ? "starts again in " + std::to_string(*pause_ms) + " ms"
                         : "another start would not help");
 }
@@ -109,7 +138,7 @@ int Supervisor::CountWorkers() const {
 void Supervisor::Scale(int workers) {
   workers = std::clamp(workers, 0, 1024);
   for (int have = CountWorkers(); have < workers; ++have) {
-    services_.emplace_back(WorkerSpec(deployment_, next_worker_++));
+    Add(WorkerSpec(deployment_, next_worker_++));
   }
   // The newest go first; a worker hands its rows over when it is asked to stop.
   for (auto service = services_.end(); service != services_.begin() && CountWorkers() > workers;) {
@@ -127,6 +156,7 @@ void Supervisor::Scale(int workers) {
 
 void Supervisor::Stop(std::int64_t patience_ms) {
   const auto running = [this] {
+    DrainLogs();  // who waits for its last words to be taken does not end
     for (EndedChild ended = ReapChild(); ended.pid >= 0; ended = ReapChild()) {
       for (Service& service : services_) {
         if (service.pid == ended.pid) service.pid = -1;
@@ -147,7 +177,11 @@ void Supervisor::Stop(std::int64_t patience_ms) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   send(SIGKILL);
-  while (running()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  // What the kernel does not let go (a dead network disk) is not waited for.
+  const std::int64_t killed_ms = SteadyMs();
+  while (running() && SteadyMs() < killed_ms + 2000) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 json Supervisor::Describe(const Service& service) const {
@@ -161,20 +195,15 @@ json Supervisor::Describe(const Service& service) const {
 }
 
 void Supervisor::WriteState() const {
-  // The same for shells, before services.json, so that who reads that finds both: name, status,
-  // last words.
-  std::ofstream given_up(state_ + "/given_up");
-  for (const Service& service : services_) {
-    if (service.state != State::kGivenUp) continue;
-    given_up << service.spec.name << '\t' << service.last_exit << '\t' << service.last_words
-             << '\n';
-  }
-  given_up.close();
   json services = json::array();
   for (const Service& service : services_) services.push_back(Describe(service));
   WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
                                             {"bus", deployment_.bus},
                                             {"task", deployment_.task},
+                                            {"weights", deployment_.weights},
+                                            {"world", WorldOf(deployment_)},
+                                            {"key", deployment_.key},
+                                            {"workers", CountWorkers()},
                                             {"supervisor_pid", getpid()},
                                             {"logs", logs_},
                                             {"services", services}});

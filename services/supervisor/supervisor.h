@@ -5,24 +5,28 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "services/supervisor/deployment.h"
 #include "services/supervisor/restart_policy.h"
+#include "services/supervisor/service_log.h"
 
 namespace prospect::services {
 
 /// Keeps the processes of a deployment running: starts them, starts them again when they end
-/// (RestartPolicy), stops them all. One log a service, appended to. What it knows stands in
+/// (RestartPolicy), stops them all. One log a service (ServiceLog). What it knows stands in
 /// STATE/services.json, rewritten at every change:
-///   deployment, bus, task, supervisor_pid, services: a list of {name, pid, state ("running",
+///   deployment, bus, task, weights, world ("simulator", "robot", "video"), key (file; empty: an
+///   open bus), workers, supervisor_pid, logs, services: a list of {name, pid, state ("running",
 ///   "waiting", "given_up", "leaving"), restarts, last_exit (null: never ended), last_words}
-/// and STATE/given_up has a line for each given up, its name, status and last words between tabs.
 ///
-/// One thread, which must call Turn() often: at least ten times a second.
+/// Once it is up, nothing that a service does, prints or names, and nothing that becomes of its
+/// files, ends it. One thread, which must call Turn() often: at least ten times a second, and when
+/// one of Outputs() can be read.
 class Supervisor {
  public:
-  /// Starts model server, simulator and `workers` workers. `state` and `logs` are folders that
-  /// exist. @throws std::runtime_error when a process or log cannot be made
+  /// Starts model server, simulator and `workers` workers. `state` is a folder that exists.
+  /// @throws ExitError (kExitDisk) when its files cannot be written there
   Supervisor(DeploymentSpec deployment, int workers, std::string state, std::string logs);
 
   /// Stops what still runs, hard.
@@ -30,8 +34,11 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Takes note of what has ended and starts what is due.
+  /// Writes logs, takes note of what has ended and starts what is due.
   void Turn();
+
+  /// What to poll: each can be read when its service has printed something.
+  std::vector<int> Outputs() const;
 
   /// Starts or stops workers until there are so many. 0 to 1024.
   void Scale(int workers);
@@ -42,8 +49,9 @@ class Supervisor {
  private:
   enum class State { kRunning, kWaiting, kGivenUp };
   struct Service {
-    explicit Service(ServiceSpec s) : spec(std::move(s)) {}
+    Service(ServiceSpec s, const std::string& log_file) : spec(std::move(s)), log(log_file) {}
     ServiceSpec spec;
+    ServiceLog log;
     RestartPolicy policy;
     State state = State::kWaiting;
     int pid = -1;
@@ -55,10 +63,12 @@ class Supervisor {
     bool leaving = false;  // asked to stop by Scale()
   };
 
+  void Add(ServiceSpec spec);
   void Start(Service* service);
   void NoteEnd(int pid, int status);
+  void DecideAfterEnd(Service* service, int status, std::string last_words);
+  void DrainLogs();
   int CountWorkers() const;
-  std::string LogOf(const Service& service) const;
   nlohmann::json Describe(const Service& service) const;
   void WriteState() const;
   void KeepState() const;

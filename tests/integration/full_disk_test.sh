@@ -18,7 +18,7 @@ folder=$(mktemp -d)
 disk=$folder/disk
 trap 'jobs -p | xargs -r kill 2>/dev/null; wait; umount "$disk" 2>/dev/null; rm -rf "$folder"' EXIT
 mkdir "$disk"
-mount -t tmpfs -o size=64k none "$disk" 2>/dev/null || { echo 'skipped: no small disk can be mounted here'; exit 77; }
+mount -t tmpfs -o size=64k,mode=700 none "$disk" 2>/dev/null || { echo 'skipped: no small disk can be mounted here'; exit 77; }
 cd "$folder" || exit 1
 ip link set lo up
 ip route add 224.0.0.0/4 dev lo
@@ -67,7 +67,7 @@ room
 # --- A deployment whose disk fills up while it runs goes on: what is killed is started again.
 room
 mkdir logs
-prospect-supervisor --task navigation --weights scripted --workers 1 --state "$disk" --logs logs >supervisor.log 2>&1 &
+prospect-supervisor --open --task navigation --weights scripted --workers 1 --state "$disk" --logs logs >supervisor.log 2>&1 &
 supervisor=$!
 prospect-bus wait --services simulator=1,model=1,worker=1 --seconds 20 >/dev/null 2>&1 || fault 'the deployment did not come up'
 head -c 200000 /dev/zero >"$disk/fill" 2>/dev/null

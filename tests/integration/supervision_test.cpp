@@ -38,6 +38,12 @@ class Supervision : public testing::Test, protected Supervised {
     return Supervised::Start(options);
   }
 
+  // prospect-supervisor's commands about this deployment; what they say is in folder/asked.log.
+  int Ask(std::vector<std::string> command) {
+    command.insert(command.end(), {"--state", folder});
+    return Process("prospect-supervisor", command, folder + "/asked.log").Wait(15000);
+  }
+
   bool AllGone(const std::vector<int>& pids) {
     return witness.Until(
         [&] {
@@ -79,11 +85,9 @@ TEST_F(Supervision, StartsAgainWhatWasKilled) {
 TEST_F(Supervision, MoreAndFewerWorkersWhileRunning) {
   Process supervisor = Start();
   ASSERT_TRUE(AllReady(2));
-  std::ofstream(folder + "/workers") << "4\n";
-  supervisor.Signal(SIGHUP);
+  EXPECT_EQ(Ask({"scale", "4"}), 0);
   EXPECT_TRUE(AllReady(4));
-  std::ofstream(folder + "/workers") << "1\n";
-  supervisor.Signal(SIGHUP);
+  EXPECT_EQ(Ask({"scale", "1"}), 0);
   EXPECT_TRUE(witness.Until([&] { return Services().size() == 3; }, 10000));
   EXPECT_EQ(Services().count("worker-1"), 1u) << "the newest go first";
 }
@@ -109,6 +113,59 @@ TEST_F(Supervision, LeavesNoOrphansWhenKilled) {
   EXPECT_TRUE(AllGone(pids));
 }
 
+TEST_F(Supervision, ASecondOneLeavesTheFirstAlone) {
+  Process first = Start();
+  ASSERT_TRUE(AllReady(2));
+  const std::string before = ReadText(folder + "/services.json");
+  Options options;
+  Process second = Supervised::Start(options, "second");
+  EXPECT_EQ(second.Wait(10000), 12);
+  EXPECT_NE(ReadText(folder + "/second.log").find("already up"), std::string::npos);
+  EXPECT_EQ(ReadText(folder + "/services.json"), before);
+  EXPECT_EQ(Ask({"join"}), 0);
+  EXPECT_EQ(Ask({"stop"}), 0);
+  EXPECT_EQ(first.Wait(8000), 0) << "the first can still be reached";
+}
+
+TEST_F(Supervision, WhatACrashLeftIsNobodys) {
+  Process stranger("/bin/sleep", {"60"}, folder + "/stranger.log");
+  {
+    Process supervisor = Start();
+    ASSERT_TRUE(AllReady(2));
+    supervisor.Signal(SIGKILL);
+    ASSERT_EQ(supervisor.Wait(5000), 128 + SIGKILL);
+  }
+  // As if its number had passed to the stranger.
+  json left = json::parse(ReadText(folder + "/services.json"));
+  left["supervisor_pid"] = stranger.pid();
+  std::ofstream(folder + "/services.json") << left;
+  EXPECT_EQ(Ask({"join"}), 15);
+  EXPECT_EQ(Ask({"scale", "3"}), 15);
+  EXPECT_EQ(Ask({"stop"}), 0);
+  EXPECT_NE(ReadText(folder + "/asked.log").find("had crashed"), std::string::npos);
+  EXPECT_TRUE(stranger.Running());
+  EXPECT_FALSE(std::filesystem::exists(folder + "/services.json"));
+}
+
+TEST_F(Supervision, EndsWithTheProcessItLivesWith) {
+  Process companion("/bin/sleep", {"60"}, folder + "/companion.log");
+  Options options;
+  Process supervisor =
+      Supervised::Start(options, "supervisor", {"--lives-with", std::to_string(companion.pid())});
+  ASSERT_TRUE(AllReady(2));
+  const std::vector<int> pids = Pids();
+  companion.Signal(SIGKILL);
+  int code = -1;
+  EXPECT_TRUE(witness.Until(
+      [&] {
+        companion.Running();  // a zombie has ended, too, but let us be quick
+        return (code = supervisor.Wait(0)) >= 0;
+      },
+      8000));
+  EXPECT_EQ(code, 0);
+  EXPECT_TRUE(AllGone(pids));
+}
+
 TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   Process supervisor = Start("/no/such/weights.safetensors");
   const auto given_up = [&] {
@@ -120,7 +177,8 @@ TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   EXPECT_EQ(model.at("last_exit"), 10);
   EXPECT_EQ(model.at("restarts"), 0);
   EXPECT_NE(model.at("last_words").get<std::string>().find("/no/such/weights"), std::string::npos);
-  EXPECT_NE(ReadText(folder + "/given_up").find("model\t10\t"), std::string::npos);
+  EXPECT_EQ(Ask({"given-up"}), 10);
+  EXPECT_NE(ReadText(folder + "/asked.log").find("model ended: "), std::string::npos);
 
   Process status("prospect-bus",
                  {"status", "--bus", witness.bus.url(), "--services-file",

@@ -6,17 +6,20 @@ namespace prospect::tests {
 
 using nlohmann::json;
 
-Process Supervised::Start(const Options& options) {
+Process Supervised::Start(const Options& options, const std::string& log,
+                          const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"--bus",     witness.bus.url(),
                                      "--task",    "navigation",
                                      "--weights", options.weights,
                                      "--workers", std::to_string(options.workers),
                                      "--state",   folder,
-                                     "--logs",    folder};
+                                     "--logs",    folder,
+                                     "--open"};  // the witness has no key
   if (!options.chaos.empty()) arguments.insert(arguments.end(), {"--chaos", options.chaos});
+  arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.insert(arguments.end(), {"--", "--objects", "7"});
   arguments.insert(arguments.end(), options.simulator.begin(), options.simulator.end());
-  return Process("prospect-supervisor", arguments, folder + "/supervisor.log");
+  return Process("prospect-supervisor", arguments, folder + "/" + log + ".log");
 }
 
 bool Supervised::AllReady(int workers) {

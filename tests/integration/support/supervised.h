@@ -23,7 +23,9 @@ class Supervised {
     std::vector<std::string> simulator;  ///< further options of the simulator
   };
 
-  Process Start(const Options& options);
+  /// @param log its name in `folder`, without .log
+  Process Start(const Options& options, const std::string& log = "supervisor",
+                const std::vector<std::string>& more = {});
 
   /// Waits until all are ready. @return whether they are
   bool AllReady(int workers);
