@@ -18,6 +18,7 @@ export LCM_DEFAULT_URL='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=65536'
 unset PROSPECT_DEPLOYMENT PROSPECT_CHAOS PROSPECT_WEIGHTS PROSPECT_TASK
 folder=$(mktemp -d)
 trap 'jobs -p | xargs -r kill 2>/dev/null; rm -rf "$folder"' EXIT
+export XDG_RUNTIME_DIR=$folder  # a deployment of this user's is another bus's
 cd "$folder" || exit 1
 absent=$folder/absent
 

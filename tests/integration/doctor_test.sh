@@ -10,6 +10,9 @@ export PROSPECT_BUILD=${bin%/bin}
 # So small a buffer is allowed everywhere.
 bus='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=65536'
 export LCM_DEFAULT_URL=$bus
+XDG_RUNTIME_DIR=$(mktemp -d)  # a deployment of this user's is another bus's
+export XDG_RUNTIME_DIR
+trap 'rm -rf "$XDG_RUNTIME_DIR"' EXIT
 
 expect() {  # expect CODE TEXT ARGS...: exit code and a line of the answer
   local code=$1 text=$2 said
@@ -30,6 +33,6 @@ expect 2 "unknown option '--nonsense'" --nonsense
 
 # Somebody else's deployment is on the bus.
 "$bin/prospect-worker" --deployment 4711 --bus "$bus" >/dev/null 2>&1 &
-trap 'kill %1' EXIT
+trap 'kill %1; rm -rf "$XDG_RUNTIME_DIR"' EXIT
 "$bin/prospect-bus" wait --bus "$bus" --services worker=1 --seconds 20 || exit 1
 expect 12 '^FAULT  bus .*in use by another deployment'
