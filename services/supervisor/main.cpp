@@ -145,17 +145,21 @@ void SetIdentity(Options* options, const StateFolder& state) {
   if (DeploymentId() == 0) SetDeploymentId(RandomId());
   setenv("PROSPECT_DEPLOYMENT", std::to_string(DeploymentId()).c_str(), 1);
   std::string& key = options->deployment.key;
+  const char* given = std::getenv("PROSPECT_KEY_FILE");
   if (options->open) {
     unsetenv("PROSPECT_KEY_FILE");
-    std::fprintf(
-        stderr, "Warning: this bus is open (--open): whoever can send on it can move the robot.\n");
     return;
   }
-  const char* given = std::getenv("PROSPECT_KEY_FILE");
   key = given && *given ? std::filesystem::absolute(given).string() : state.MakeKey();
   setenv("PROSPECT_KEY_FILE", key.c_str(), 1);
-  // Nobody can join a deployment of one command.
-  if (options->lives_with == 0) {
+}
+
+void TellWhoIsObeyed(const Options& options) {
+  const std::string& key = options.deployment.key;
+  if (key.empty()) {
+    std::fprintf(
+        stderr, "Warning: this bus is open (--open): whoever can send on it can move the robot.\n");
+  } else if (options.lives_with == 0) {  // nobody can join a deployment of one command
     std::fprintf(stderr, "Only who has this bus's key is heard on it; a robot needs: --key %s\n",
                  key.c_str());
   }
@@ -169,6 +173,7 @@ int Supervise(Options options, Descriptor* ready) {
   const Descriptor signals = OpenSignals();
   if (options.background) LogToFile(logs);
   Supervisor supervisor(options.deployment, options.workers, state.path(), logs);
+  TellWhoIsObeyed(options);
   SayReady(ready);
   KeepRunning(&supervisor, signals, companion);
   spdlog::info("stopping");

@@ -123,8 +123,8 @@ expect 13 'cannot write the journal .*disk/journal: is the disk full' prospect-w
 kill "$searches"
 wait "$searches" 2>/dev/null
 fill
-expect 13 'disk/state/services.json cannot be written.*space|disk/state' \
+expect 13 'disk/state' \
   prospect-supervisor --task navigation --weights scripted --log-level off --state "$disk/state" --logs "$disk/logs"
-expect 13 'services.json cannot be written.*space' \
+expect 13 'disk/key cannot be written.*space' \
   prospect-supervisor --task navigation --weights scripted --log-level off --state "$disk" --logs "$disk"
 finish
