@@ -145,12 +145,12 @@ void SetIdentity(Options* options, const StateFolder& state) {
   if (DeploymentId() == 0) SetDeploymentId(RandomId());
   setenv("PROSPECT_DEPLOYMENT", std::to_string(DeploymentId()).c_str(), 1);
   std::string& key = options->deployment.key;
-  const char* given = std::getenv("PROSPECT_KEY_FILE");
+  const std::string& given = options->common.key;
   if (options->open) {
     unsetenv("PROSPECT_KEY_FILE");
     return;
   }
-  key = given && *given ? std::filesystem::absolute(given).string() : state.MakeKey();
+  key = given.empty() ? state.MakeKey() : std::filesystem::absolute(given).string();
   setenv("PROSPECT_KEY_FILE", key.c_str(), 1);
 }
 

@@ -132,13 +132,13 @@ expect 2 '--factor is an option of ./prospect up' "$prospect" run --factor light
 expect 2 '--open is an option of ./prospect up' "$prospect" run --open
 expect 2 '--no-reset takes the scene as it is' "$prospect" run --no-reset --objects 5
 says 4 '^Files in site: .*result.json' "$prospect" run --task navigation --policy plan:0 --out site
-says 2 'but navigation is up' prospect-executive --task stacking --policy plan:0
+says 2 'but navigation is up' prospect-executive --key "$state/key" --task stacking --policy plan:0
 
 # --- Beside a deployment, demos and explanations have a bus of their own: in a namespace, and where there can be none, by a port.
 mkdir no_namespace
 printf '#!/bin/sh\nexit 1\n' >no_namespace/unshare
 chmod +x no_namespace/unshare
-heard_before=$(prospect-bus status --services-file "$state/services.json" | grep -c .)
+heard_before=$("$prospect" status | grep -c ready)
 alone=(--task navigation --weights scripted --workers 1 --policy plan:0)
 "$prospect" demo "${alone[@]}" --out demo-1 >demo-1.log 2>&1 &
 first=$!
@@ -150,7 +150,7 @@ for demo in "$first" "$second" "$third"; do
   checks=$((checks + 1))
   wait "$demo" || [ $? = 4 ] || fault "a demo beside others: $(tail -n 3 demo-*.log)"
 done
-[ "$(prospect-bus status --services-file "$state/services.json" | grep -c .)" = "$heard_before" ] || fault 'the deployment heard a demo'
+[ "$heard_before" = 3 ] && [ "$("$prospect" status | grep -c ready)" = 3 ] || fault 'the deployment heard a demo'
 says 0 '' "$prospect" status
 for demo in 1 2 3; do check [ -s demo-$demo/episode.lcmlog ]; done
 check [ "$(ls "$XDG_RUNTIME_DIR/prospect")" = "$(basename "$state")" ]
