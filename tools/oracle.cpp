@@ -12,6 +12,7 @@
 #include <string>
 
 #include "sim/oracle_cache.h"
+#include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
@@ -76,7 +77,7 @@ double TimesRealTime(sim::Task& task, std::uint64_t seed, sim::FrameSink* sink) 
   double simulated = 0;
   while (static_cast<double>(std::clock() - start) < kLongEnough) {
     task.Reset(seed);
-    sim::RandomPlan plan(task.spec().successors, seed++);
+    sim::RandomPlan plan(sim::PlanRules(task.spec()), seed++);
     for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
       sim::RunAction(task, plan.Choose(legal), sink);
     }
@@ -173,8 +174,7 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
   auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, options.world));
   std::shared_ptr<sim::OracleCache> cache;
   if (!options.fresh) {
-    const sim::OracleKey key{options.task, task->spec().world_version, options.world.objects,
-                             task->spec().plan_length};
+    const sim::OracleKey key = sim::OracleKeyOf(*task, options.world.objects);
     cache = std::make_shared<sim::OracleCache>(key, options.cache);
   }
   const std::uint64_t seed = options.seed;

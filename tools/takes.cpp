@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
@@ -93,7 +94,7 @@ class Takes {
   // The scene's own trial, a random one; from the beginning of each of its actions two more takes.
   void RunScene(std::uint64_t seed) {
     task_->Reset(seed);
-    sim::RandomPlan plan(task_->spec().successors, seed, /*retries=*/false);
+    sim::RandomPlan plan(sim::PlanRules(task_->spec()), seed, /*retries=*/false);
     sim::Random random(seed);
     std::unique_ptr<sim::TaskState> before;  // the state before `last`
     int last = -1;

@@ -130,11 +130,6 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
 }
 
-// An actions' world, whatever it calls the options that make a plan longer.
-sim::OracleKey KeyOf(const Options& options, const sim::Task& task) {
-  return {options.task, task.spec().world_version, options.world.objects, task.spec().plan_length};
-}
-
 // N of a row "samples=N".
 std::optional<int> SamplesOf(const std::string& row) {
   const std::string prefix = "samples=";
@@ -155,9 +150,9 @@ class Bench {
         task_(sim::MakeTask(options.task, options.world)),
         engine_(model::LoadSearchEngine(options.weights, 1)),
         gauge_(model::NoveltyGauge::Load(options.weights)),
-        cache_(KeyOf(options, *task_)) {
+        cache_(sim::OracleKeyOf(*task_, options.world.objects)) {
     if (!options.goal.empty()) {
-      sim::OracleKey key = KeyOf(options, *task_);
+      sim::OracleKey key = sim::OracleKeyOf(*task_, options.world.objects);
       key.goal = planner::ToString(options.goal);
       goal_cache_.emplace(key);
     }
