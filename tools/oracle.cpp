@@ -21,6 +21,7 @@
 #include "tools/common/json_file.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
+#include "tools/common/scene_options.h"
 
 namespace {
 
@@ -45,14 +46,7 @@ void AddOptions(CLI::App* app, Options* options) {
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Seed of the first scene; scene i has seed + i")
       ->capture_default_str();
-  app->add_option("--objects", options->world.objects, "Objects on the site, 4 to 7")
-      ->capture_default_str();
-  app->add_option("--legs", options->world.legs, "Objects to investigate in a row, 3 to 5")
-      ->capture_default_str();
-  app->add_option("--tower", options->world.tower, "Stacking: blocks in the tower, 2 to 4")
-      ->capture_default_str();
-  app->add_option("--scene-file", options->world.scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
+  tools::AddSceneOptions(app, &options->world);
   app->add_option("--jobs", options->jobs, "Processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
