@@ -21,6 +21,7 @@ constexpr char kForms[] =
 // From the bus, too, where anybody may ask for anything.
 constexpr std::size_t kMostAtoms = 32;
 constexpr std::size_t kMostQuoted = 80;
+constexpr int kMostStandings = 1 << 19;  // of all actions: what Prepare looks at for each step
 
 bool IsOpen(const std::string& argument) { return argument == kOpen; }
 
@@ -32,6 +33,10 @@ std::string Listed(const std::set<std::string>& names) {
 
 std::string Short(const std::string& text) {
   return text.size() > kMostQuoted ? text.substr(0, kMostQuoted) + "..." : text;
+}
+
+[[noreturn]] void FailTooMuch() {
+  throw GoalError("it asks for too much at once: leave some of it out");
 }
 
 class Parser {
@@ -156,13 +161,12 @@ class Towers {
 class Compiler {
  public:
   Compiler(const std::vector<ActionWords>& words, const TaskRules& rules)
-      : words_(words), rules_(rules) {
+      : words_(words), handovers_(FindHandovers(words, rules)) {
     goal_.effects.resize(words.size() * (words.size() + 1));
     for (const ActionWords& row : words) {
       names_.insert(row.object);
       if (row.kind == kVisitKind) visits_.insert(row.object);
     }
-    FindHandovers();
   }
 
   GoalRules Compile(const std::vector<GoalAtom>& goal) {
@@ -173,32 +177,13 @@ class Compiler {
   }
 
  private:
-  // From `giver`, the last action with the thing that is moved, to `taker`, the first with where it
-  // goes.
-  struct Handover {
-    std::size_t giver, taker;
-  };
-
-  void FindHandovers() {
-    const std::vector<int>& first = rules_.successors.back();
-    for (std::size_t giver = 0; giver < words_.size(); ++giver) {
-      for (const int next : rules_.successors[giver]) {
-        const auto taker = static_cast<std::size_t>(next);
-        const bool begins = std::find(first.begin(), first.end(), next) != first.end();
-        if (!begins && words_[giver].object != words_[taker].object)
-          handovers_.push_back({giver, taker});
-      }
-    }
-  }
-
   void RequireKnown(const std::string& name) const {
     if (IsOpen(name) || names_.count(name)) return;
     throw GoalError("there is no '" + name + "' in this task; there are: " + Listed(names_));
   }
 
   std::uint8_t NewFact() {
-    if (goal_.num_facts == GoalRules::kMaxFacts)
-      throw GoalError("it asks for too much at once: leave some of it out");
+    if (goal_.num_facts == GoalRules::kMaxFacts) FailTooMuch();
     return static_cast<std::uint8_t>(1u << goal_.num_facts++);
   }
 
@@ -264,7 +249,6 @@ class Compiler {
   }
 
   const std::vector<ActionWords>& words_;
-  const TaskRules& rules_;
   GoalRules goal_;
   Towers towers_;
   std::set<std::string> names_, visits_;
@@ -304,11 +288,13 @@ void SetGoal(const std::vector<GoalAtom>& goal, const std::vector<ActionWords>& 
   if (words.size() != static_cast<std::size_t>(rules->num_actions))
     throw std::invalid_argument("a goal needs the words of every action of the task");
   if (!goal.empty()) rules->goal = Compiler(words, *rules).Compile(goal);
+  if (rules->num_actions * rules->tower.num_states << rules->goal.num_facts > kMostStandings)
+    FailTooMuch();
   rules->Prepare();
   if (goal.empty() || !rules->AllowedActions({}, {}).empty()) return;
   throw GoalError("no plan of this task's " + std::to_string(rules->plan_length) +
                   (rules->plan_length == 1 ? " action" : " actions") + " brings about " +
-                  ToString(goal));
+                  ToString(goal) + (rules->tower.empty() ? "" : " in one tower"));
 }
 
 }  // namespace prospect::planner

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/handovers.h"
 #include "planner/task_rules.h"
 
 namespace prospect::planner {
@@ -39,16 +40,9 @@ std::string ToString(const std::vector<GoalAtom>& goal);
 // Whether each atom is met by one of the facts that a world says hold ("on(red,blue)").
 bool Holds(const std::vector<GoalAtom>& goal, const std::vector<std::string>& facts);
 
-// A row of a task's action table, in words.
-struct ActionWords {
-  std::string kind;    // "investigate"
-  std::string object;  // "barrel"
-};
-
 // Sets rules->goal from a goal and the words of the task's table (one entry an action), and
-// prepares the rules. visited(X) is brought about by investigate(X). on(X,Y) by handing X over to
-// Y: by an action with Y directly after one with X where the table lets it follow, and where no
-// plan could begin with it; it holds until X is handed over to another. An empty goal asks nothing.
+// prepares the rules. visited(X) is brought about by investigate(X). on(X,Y) by handing X over to Y
+// (handovers.h); it holds until X is handed over to another. An empty goal asks nothing.
 // Throws GoalError when the task does not know a predicate or name, when the atoms contradict one
 // another, or when no plan of the task is long enough for all.
 void SetGoal(const std::vector<GoalAtom>& goal, const std::vector<ActionWords>& words,

@@ -24,6 +24,22 @@ bool GoalRules::Met(std::uint8_t facts) const {
                      [facts](std::uint8_t mask) { return (mask & facts) != 0; });
 }
 
+void TowerRules::Validate(int num_actions) const {
+  if (empty()) return;
+  const auto states = static_cast<std::size_t>(num_states);
+  Require(num_states >= 1 && stands.size() == states,
+          "tower.stands needs one entry for each state");
+  Require(handovers.size() == static_cast<std::size_t>((num_actions + 1) * num_actions),
+          "tower.handovers needs one entry for each action after each and after none");
+  Require(num_handovers >= 1 && next.size() == states * static_cast<std::size_t>(num_handovers),
+          "tower.next needs one entry for each hand-over in each state");
+  Require(
+      std::all_of(handovers.begin(), handovers.end(), [&](int h) { return h <= num_handovers; }),
+      "tower.handovers names one that does not exist");
+  Require(std::all_of(next.begin(), next.end(), [&](int state) { return state < num_states; }),
+          "tower.next names a state that does not exist");
+}
+
 bool TaskRules::Complete(const Path& executed, const Path& path) const {
   return static_cast<int>(executed.size() + path.size()) >= plan_length;
 }
@@ -46,71 +62,91 @@ void TaskRules::Prepare() {
     }
     finishes.push_back(now);
   }
-  PrepareGoal();
+  PrepareEnds();
 }
 
-// The same backwards as for `finishes`, for each set of facts apart.
-void TaskRules::PrepareGoal() {
+// The same backwards as for `finishes`, for each state of the tower and each set of facts apart.
+void TaskRules::PrepareEnds() {
   brings_about.clear();
-  if (goal.empty()) return;
-  const int sets = 1 << goal.num_facts;
+  if (goal.empty() && tower.empty()) return;
   for (int steps = 0; steps < plan_length; ++steps) {
     std::vector<bool> now;
     for (int action = 0; action < num_actions; ++action) {
-      const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
-      for (int facts = 0; facts < sets; ++facts) {
-        const auto held = static_cast<std::uint8_t>(facts);
-        const auto leads = [&](int a) {
-          return BringsAbout(action, a, held, static_cast<std::size_t>(plan_length - steps));
-        };
-        now.push_back(steps == 0 ? finishes[0][static_cast<std::size_t>(action)] && goal.Met(held)
-                                 : std::any_of(next.begin(), next.end(), leads));
+      for (int state = 0; state < tower.num_states; ++state) {
+        for (int facts = 0; facts < 1 << goal.num_facts; ++facts)
+          now.push_back(EndsWell(action, {static_cast<std::uint8_t>(facts), state}, steps));
       }
     }
     brings_about.push_back(std::move(now));
   }
 }
 
-std::uint8_t TaskRules::Apply(int previous, int action, std::uint8_t facts) const {
-  const GoalRules::Effect& effect =
-      goal.effects.at(static_cast<std::size_t>(previous * num_actions + action));
-  return static_cast<std::uint8_t>((facts & ~effect.clears) | effect.sets);
+// Whether a plan can end `steps` actions after `action` with the goal met and in one tower, when
+// `here` holds after it. Fewer steps are known.
+bool TaskRules::EndsWell(int action, const Standing& here, int steps) const {
+  if (steps == 0) {
+    return finishes[0][static_cast<std::size_t>(action)] && goal.Met(here.facts) &&
+           (tower.empty() || tower.stands[static_cast<std::size_t>(here.tower)]);
+  }
+  const std::vector<int>& next = successors[static_cast<std::size_t>(action)];
+  return std::any_of(next.begin(), next.end(), [&](int a) {
+    return BringsAbout(action, a, here, static_cast<std::size_t>(plan_length - steps));
+  });
 }
 
-// The facts that hold after `executed` and the first `length` actions of `path`. Makes no lists.
-std::uint8_t TaskRules::FactsAfter(const Path& executed, const Path& path,
-                                   std::size_t length) const {
-  std::uint8_t facts = 0;
+std::size_t TaskRules::StandingIndex(int action, const Standing& standing) const {
+  const auto state = static_cast<std::size_t>(action * tower.num_states + standing.tower);
+  return state << goal.num_facts | standing.facts;
+}
+
+TaskRules::Standing TaskRules::Apply(int previous, int action, Standing standing) const {
+  const auto edge = static_cast<std::size_t>(previous * num_actions + action);
+  if (!goal.empty()) {
+    const GoalRules::Effect& effect = goal.effects.at(edge);
+    standing.facts = static_cast<std::uint8_t>((standing.facts & ~effect.clears) | effect.sets);
+  }
+  const int handover = tower.empty() ? 0 : tower.handovers.at(edge);
+  if (handover > 0) {
+    standing.tower = tower.next.at(
+        static_cast<std::size_t>(standing.tower * tower.num_handovers + handover - 1));
+  }
+  return standing;
+}
+
+// What holds after `executed` and the first `length` actions of `path`. Makes no lists.
+TaskRules::Standing TaskRules::StandingAfter(const Path& executed, const Path& path,
+                                             std::size_t length) const {
+  Standing standing;
   int previous = num_actions;
   const auto carry_out = [&](int action) {
-    facts = Apply(previous, action, facts);
+    standing = Apply(previous, action, standing);
     previous = action;
   };
   std::for_each(executed.begin(), executed.end(), carry_out);
   std::for_each_n(path.begin(), length, carry_out);
-  return facts;
+  return standing;
 }
 
-// Whether `action` as number `steps` of a plan (from 0), after `previous` and with `facts` before
-// it, leads to an end with the goal met.
-bool TaskRules::BringsAbout(int previous, int action, std::uint8_t facts, std::size_t steps) const {
-  const auto after = static_cast<std::size_t>(action) << goal.num_facts;
+// Whether `action` as number `steps` of a plan (from 0), after `previous` and with `before` before
+// it, leads to an end with the goal met and in one tower.
+bool TaskRules::BringsAbout(int previous, int action, const Standing& before,
+                            std::size_t steps) const {
   return brings_about[static_cast<std::size_t>(plan_length) - steps - 1]
-                     [after | Apply(previous, action, facts)];
+                     [StandingIndex(action, Apply(previous, action, before))];
 }
 
-// Out of line, so that deciding without a goal costs what it did.
-[[gnu::noinline]] bool TaskRules::LeadsToGoal(const Path& executed, const Path& path,
-                                              std::size_t length, int action) const {
+// Out of line, so that deciding without a goal or a tower costs what it did.
+[[gnu::noinline]] bool TaskRules::LeadsToAnEnd(const Path& executed, const Path& path,
+                                               std::size_t length, int action) const {
   const int previous = length > 0         ? path[length - 1]
                        : executed.empty() ? num_actions
                                           : executed.back();
-  return BringsAbout(previous, action, FactsAfter(executed, path, length),
+  return BringsAbout(previous, action, StandingAfter(executed, path, length),
                      executed.size() + length);
 }
 
 bool TaskRules::GoalMet(const Path& executed, const Path& path) const {
-  return goal.empty() || goal.Met(FactsAfter(executed, path, path.size()));
+  return goal.empty() || goal.Met(StandingAfter(executed, path, path.size()).facts);
 }
 
 bool TaskRules::Allowed(const Path& executed, const Path& path, int action) const {
@@ -132,30 +168,27 @@ bool TaskRules::AllowedAfter(const Path& executed, const Path& path, std::size_t
     return !repeats_allowed && (Contains(executed, a) || std::find(path.begin(), end, a) != end);
   };
   if (!Contains(row, action) || taken(action)) return false;
-  if (!brings_about.empty()) {
-    return LeadsToGoal(executed, path, length, action);
-  }
   if (finishes.empty()) return true;
   const std::vector<bool>& ends = finishes.at(static_cast<std::size_t>(plan_length) - steps - 1);
   const auto leads_to_an_end = [&](int a) {
-    return ends[static_cast<std::size_t>(a)] && !taken(a);
+    return brings_about.empty() ? ends[static_cast<std::size_t>(a)]
+                                : LeadsToAnEnd(executed, path, length, a);
   };
-  return ends[static_cast<std::size_t>(action)] ||
-         std::none_of(row.begin(), row.end(), leads_to_an_end);
+  if (leads_to_an_end(action)) return true;
+  return goal.empty() && std::none_of(row.begin(), row.end(),
+                                      [&](int a) { return leads_to_an_end(a) && !taken(a); });
 }
 
 std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& path) const {
   std::vector<int> actions = Following(executed, path);
   if (actions.empty() || finishes.empty()) return actions;
-  if (!brings_about.empty()) {
-    const auto fails = [&](int a) { return !LeadsToGoal(executed, path, path.size(), a); };
-    actions.erase(std::remove_if(actions.begin(), actions.end(), fails), actions.end());
-    return actions;
-  }
   const std::vector<bool>& ends =
       finishes.at(static_cast<std::size_t>(plan_length) - executed.size() - path.size() - 1);
-  const auto leads_nowhere = [&](int action) { return !ends[static_cast<std::size_t>(action)]; };
-  if (!std::all_of(actions.begin(), actions.end(), leads_nowhere)) {
+  const auto leads_nowhere = [&](int action) {
+    return brings_about.empty() ? !ends[static_cast<std::size_t>(action)]
+                                : !LeadsToAnEnd(executed, path, path.size(), action);
+  };
+  if (!goal.empty() || !std::all_of(actions.begin(), actions.end(), leads_nowhere)) {
     actions.erase(std::remove_if(actions.begin(), actions.end(), leads_nowhere), actions.end());
   }
   return actions;
@@ -195,6 +228,7 @@ void TaskRules::Validate() const {
       Require(action >= 0 && action < num_actions, "successors name an action that does not exist");
     }
   }
+  tower.Validate(num_actions);
   if (goal.empty()) return;
   Require(goal.num_facts >= 1 && goal.num_facts <= GoalRules::kMaxFacts,
           "goal.num_facts must be 1 to 8");

@@ -33,6 +33,25 @@ struct GoalRules {
   bool Met(std::uint8_t facts) const;
 };
 
+// How a tower grows, for tasks that build one: the states of what is stacked and which hand-over of
+// one block to another leads from which to which. See OneTower in tower.h.
+struct TowerRules {
+  int num_states = 1;  // 0: nothing is stacked
+  // [state]: all that is stacked can be one tower, so a plan may end in it.
+  std::vector<bool> stands;
+  // [previous * num_actions + action]: which hand-over `action` completes directly after `previous`
+  // (num_actions: when it comes first); 0: none.
+  std::vector<std::uint16_t> handovers;
+  int num_handovers = 0;  // those that there are: 1 to num_handovers
+  // [state * num_handovers + handover - 1]: the state after it.
+  std::vector<std::uint16_t> next;
+
+  // The task builds no tower.
+  bool empty() const { return handovers.empty(); }
+  // As TaskRules::Validate.
+  void Validate(int num_actions) const;
+};
+
 struct TaskRules {
   // Number of actions, 1 to kMaxActions; actions are 0 to num_actions - 1.
   int num_actions = 0;
@@ -47,18 +66,22 @@ struct TaskRules {
   // [r][a]: whether a plan can end r actions after a. Filled by Prepare(); empty: any action ends a
   // plan.
   std::vector<std::vector<bool>> finishes;
+  // What a plan may stack on what; empty: anything. See OneTower in tower.h.
+  TowerRules tower;
   // What a plan must bring about beyond that; empty: nothing. See SetGoal in goal.h.
   GoalRules goal;
-  // [r][a << goal.num_facts | facts]: whether a plan can end r actions after a with the goal met,
-  // when `facts` hold after a. Filled by Prepare() where there is a goal.
+  // [r][(a * tower.num_states + tower's state) << goal.num_facts | facts]: whether a plan can end r
+  // actions after a with the goal met and in one tower, when that state and `facts` hold after a.
+  // Filled by Prepare() where there is a tower or a goal.
   std::vector<std::vector<bool>> brings_about;
 
   // To be called when the fields above are set and whenever they change. A plan ends with an action
   // after which one begins anew: whatever may follow it may also come first, as when an arm is back
-  // home. Where a plan of plan_length actions can still end so, only what leads there is allowed;
-  // where it cannot (an action failed in the middle), anything the table allows. With a goal there
-  // is no such leniency: only what leads to an end with the goal met is allowed (where repeats are
-  // not, as far as the table alone can tell).
+  // home. Where a plan of plan_length actions can still end so, with its blocks in one tower where
+  // the task builds one, only what leads there is allowed; where it cannot (an action failed in the
+  // middle), anything the table allows. With a goal there is no such leniency: only what leads to
+  // an end with the goal met is allowed (where repeats are not, as far as the table alone can
+  // tell).
   void Prepare();
 
   // `executed`: actions already carried out before this root, oldest first. `path`: actions
@@ -82,11 +105,19 @@ struct TaskRules {
   void Validate() const;
 
  private:
-  void PrepareGoal();
-  std::uint8_t Apply(int previous, int action, std::uint8_t facts) const;
-  std::uint8_t FactsAfter(const Path& executed, const Path& path, std::size_t length) const;
-  bool BringsAbout(int previous, int action, std::uint8_t facts, std::size_t steps) const;
-  bool LeadsToGoal(const Path& executed, const Path& path, std::size_t length, int action) const;
+  // What holds at some point of a plan.
+  struct Standing {
+    std::uint8_t facts = 0;  // of the goal
+    int tower = 0;           // state
+  };
+
+  void PrepareEnds();
+  bool EndsWell(int action, const Standing& here, int steps) const;
+  std::size_t StandingIndex(int action, const Standing& standing) const;
+  Standing Apply(int previous, int action, Standing standing) const;
+  Standing StandingAfter(const Path& executed, const Path& path, std::size_t length) const;
+  bool BringsAbout(int previous, int action, const Standing& before, std::size_t steps) const;
+  bool LeadsToAnEnd(const Path& executed, const Path& path, std::size_t length, int action) const;
   bool AllowedAfter(const Path& executed, const Path& path, std::size_t length, int action) const;
   std::vector<int> Following(const Path& executed, const Path& path) const;
 };

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/rollout.h"
 
@@ -17,14 +18,20 @@ constexpr std::uint64_t kBestStream = 0x62657374ULL;
 // Tries every legal plan once under one noise seed, each beginning once.
 class Round {
  public:
-  Round(Task& task, bool begin_anew, std::map<std::vector<int>, int>* successes,
-        std::map<std::string, int>* failures)
-      : task_(task), begin_anew_(begin_anew), successes_(successes), failures_(failures) {}
+  // `rules`: where a tower is built, what may be tried; null: whatever is legal.
+  Round(Task& task, bool begin_anew, const planner::TaskRules* rules,
+        std::map<std::vector<int>, int>* successes, std::map<std::string, int>* failures)
+      : task_(task),
+        begin_anew_(begin_anew),
+        rules_(rules),
+        successes_(successes),
+        failures_(failures) {}
 
   void Explore() {
     const std::unique_ptr<TaskState> here = task_.Save();
     for (int action : task_.LegalActions()) {
       if (task_.spec().IsRetry(Last(), action) != (begin_anew_ && plan_.empty())) continue;
+      if (!Useful(action)) continue;
       plan_.push_back(action);
       RunAction(task_, action, nullptr);
       Account();
@@ -51,6 +58,11 @@ class Round {
     return begin_anew_ ? task_.progress().action : task_.spec().null_action();
   }
 
+  // Whether a plan that goes on so can still end in one tower.
+  bool Useful(int action) const {
+    return rules_ == nullptr || rules_->Allowed({plan_.begin(), plan_.end()}, {}, action);
+  }
+
   int Remaining() const { return task_.spec().plan_length - static_cast<int>(plan_.size()); }
 
   // A failed beginning fails every plan that begins so. What could follow is asked of the table and
@@ -65,7 +77,7 @@ class Round {
     for (int next : task_.spec().successors[plan_.back()]) {
       const bool repeated = std::find(plan_.begin(), plan_.end(), next) != plan_.end();
       if (!present[next] || (repeated && !task_.spec().repeats_allowed)) continue;
-      if (task_.spec().IsRetry(Last(), next)) continue;
+      if (task_.spec().IsRetry(Last(), next) || !Useful(next)) continue;
       plan_.push_back(next);
       CountFailures(reason, remaining - 1);
       plan_.pop_back();
@@ -74,6 +86,7 @@ class Round {
 
   Task& task_;
   bool begin_anew_;
+  const planner::TaskRules* rules_;
   std::map<std::vector<int>, int>* successes_;
   std::map<std::string, int>* failures_;
   std::vector<int> plan_;
@@ -141,9 +154,13 @@ OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOpt
   OracleResult result;
   result.rounds = options.rounds;
   std::map<std::vector<int>, int> successes;
+  planner::TaskRules rules = PlanRules(task.spec());
+  const bool ordered = !rules.tower.empty() && !options.begin_anew && task.progress().segment < 0;
+  if (ordered) rules.Prepare();
   for (int round = 0; round < options.rounds; ++round) {
     task.SetNoiseSeed(MixSeeds({scene_seed, kRoundStream, static_cast<std::uint64_t>(round)}));
-    Round(task, options.begin_anew, &successes, &result.failures).Explore();
+    Round(task, options.begin_anew, ordered ? &rules : nullptr, &successes, &result.failures)
+        .Explore();
     task.Restore(*start);
   }
   for (const auto& [plan, count] : successes) {

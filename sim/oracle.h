@@ -11,8 +11,9 @@
 namespace prospect::sim {
 
 // What can be achieved in a scene by someone who may try everything: the yardstick for planners.
-// Every legal plan (without retries on the way, TaskSpec::IsRetry) is run `rounds` times from the
-// saved state, then the best one `best_runs` times with fresh noise.
+// Every legal plan (without retries on the way, TaskSpec::IsRetry; from a trial's start and where a
+// tower is built, only those in whose order one can stand, PlanRules) is run `rounds` times from
+// the saved state, then the best one `best_runs` times with fresh noise.
 
 enum class SceneClass {
   kSolvable,  // the best plan succeeded in at least 7 of 10 fresh runs
@@ -27,7 +28,7 @@ struct OracleOptions {
   int rounds = 3;
   int best_runs = 10;
   // Plans that begin anew from where the task is (their first action is a retry), instead of those
-  // that go on.
+  // that go on. What was stacked before is not known then, so any order is tried.
   bool begin_anew = false;
 };
 
@@ -40,7 +41,7 @@ struct PlanCount {
 struct OracleResult {
   SceneClass scene_class = SceneClass::kDoubtful;
   int rounds = 0;
-  std::vector<PlanCount> plans;  // all complete legal plans, in lexicographic order
+  std::vector<PlanCount> plans;  // all complete ones of these, in lexicographic order
   std::vector<int> best_plan;    // most successes, the first of equals
   int best_runs = 0;
   int best_successes = 0;               // of best_runs, with fresh noise

@@ -10,6 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "planner/tower.h"
+#include "sim/plan_rules.h"
+
 namespace prospect::sim {
 namespace {
 
@@ -84,6 +87,15 @@ void AppendLine(const std::string& path, const std::string& line) {
 
 }  // namespace
 
+OracleKey OracleKeyOf(const Task& task, int objects) {
+  const TaskSpec& spec = task.spec();
+  planner::TaskRules rules = PlanRules(spec);
+  if (!rules.tower.empty()) rules.Prepare();
+  return {spec.name, spec.world_version,
+          objects,   spec.plan_length,
+          "",        planner::TowerLevels(rules) > 2};
+}
+
 OracleCache::OracleCache(OracleKey key, std::string directory) {
   if (directory.empty()) directory = DefaultDirectory();
   std::error_code error;
@@ -94,7 +106,7 @@ OracleCache::OracleCache(OracleKey key, std::string directory) {
   }
   path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
           std::to_string(key.objects) + "-legs" + std::to_string(key.legs) +
-          (key.goal.empty() ? "" : "-" + key.goal) + ".jsonl";
+          (key.ordered ? "-ordered" : "") + (key.goal.empty() ? "" : "-" + key.goal) + ".jsonl";
   Load();
 }
 

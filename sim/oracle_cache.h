@@ -15,9 +15,13 @@ struct OracleKey {
   std::string task;           // "navigation"
   std::string world_version;  // TaskSpec::world_version
   int objects = 4;
-  int legs = 3;        // actions in a complete plan
-  std::string goal{};  // empty: the task's own
+  int legs = 3;          // actions in a complete plan
+  std::string goal{};    // empty: the task's own
+  bool ordered = false;  // some legal plans are not tried: no tower can come of them
 };
+
+// What the oracle's answers for `task`, made with `objects`, depend on.
+OracleKey OracleKeyOf(const Task& task, int objects);
 
 // Oracle results on disk, one file of JSON lines a key, one line a scene seed: consulting the
 // oracle costs seconds a scene and its answer never changes for one world. Files are only ever

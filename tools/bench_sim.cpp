@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 #include "sim/task_factory.h"
 #include "tools/bench/cpu_clock.h"
@@ -68,7 +69,7 @@ void RunTrial(sim::Task& task, std::uint64_t seed, Costs* costs) {
     task.Reset(seed);
   }
   Look(task, costs);
-  sim::RandomPlan plan(task.spec().successors, seed);
+  sim::RandomPlan plan(sim::PlanRules(task.spec()), seed);
   for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
     task.StartAction(plan.Choose(legal));
     while (task.progress().action_state == sim::ActionState::kRunning) {

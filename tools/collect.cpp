@@ -31,9 +31,11 @@ void AddSceneOptions(CLI::App* app, tools::CollectOptions* options) {
   app->add_option("--legs", options->legs, "Objects to investigate in a row: 3 to 5, or mixed")
       ->capture_default_str();
   app->add_option("--tower", options->tower, "Stacking: blocks in the tower, 2 to 4")
+      ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app->add_option("--scene-file", options->scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
+                  "Stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
 }
 
 void AddVideoOptions(CLI::App* app, tools::GestureVideoOptions* options) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "sim/oracle_cache.h"
+#include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
@@ -20,6 +21,7 @@
 #include "tools/common/json_file.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
+#include "tools/common/scene_options.h"
 
 namespace {
 
@@ -44,14 +46,7 @@ void AddOptions(CLI::App* app, Options* options) {
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Seed of the first scene; scene i has seed + i")
       ->capture_default_str();
-  app->add_option("--objects", options->world.objects, "Objects on the site, 4 to 7")
-      ->capture_default_str();
-  app->add_option("--legs", options->world.legs, "Objects to investigate in a row, 3 to 5")
-      ->capture_default_str();
-  app->add_option("--tower", options->world.tower, "Stacking: blocks in the tower, 2 to 4")
-      ->capture_default_str();
-  app->add_option("--scene-file", options->world.scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
+  tools::AddSceneOptions(app, &options->world);
   app->add_option("--jobs", options->jobs, "Processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -76,7 +71,7 @@ double TimesRealTime(sim::Task& task, std::uint64_t seed, sim::FrameSink* sink) 
   double simulated = 0;
   while (static_cast<double>(std::clock() - start) < kLongEnough) {
     task.Reset(seed);
-    sim::RandomPlan plan(task.spec().successors, seed++);
+    sim::RandomPlan plan(sim::PlanRules(task.spec()), seed++);
     for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
       sim::RunAction(task, plan.Choose(legal), sink);
     }
@@ -173,8 +168,7 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
   auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, options.world));
   std::shared_ptr<sim::OracleCache> cache;
   if (!options.fresh) {
-    const sim::OracleKey key{options.task, task->spec().world_version, options.world.objects,
-                             task->spec().plan_length};
+    const sim::OracleKey key = sim::OracleKeyOf(*task, options.world.objects);
     cache = std::make_shared<sim::OracleCache>(key, options.cache);
   }
   const std::uint64_t seed = options.seed;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
@@ -20,6 +21,7 @@
 #include "sim/suturing/suturing_task.h"
 #include "sim/task_factory.h"
 #include "tools/common/progress.h"
+#include "tools/common/scene_options.h"
 
 namespace prospect {
 namespace {
@@ -31,6 +33,7 @@ struct Options {
   std::uint64_t seed = 2'000'000;
   int scenes = 20;
   int most_actions = 40;
+  sim::TaskOptions world;
   std::string json_file;
 };
 
@@ -55,7 +58,7 @@ class Takes {
  public:
   explicit Takes(const Options& options)
       : options_(options),
-        task_(sim::MakeTask(options.task)),
+        task_(sim::MakeTask(options.task, options.world)),
         suturing_(dynamic_cast<sim::SuturingTask*>(task_.get())) {}
 
   void Run() {
@@ -93,7 +96,7 @@ class Takes {
   // The scene's own trial, a random one; from the beginning of each of its actions two more takes.
   void RunScene(std::uint64_t seed) {
     task_->Reset(seed);
-    sim::RandomPlan plan(task_->spec().successors, seed, /*retries=*/false);
+    sim::RandomPlan plan(sim::PlanRules(task_->spec()), seed, /*retries=*/false);
     sim::Random random(seed);
     std::unique_ptr<sim::TaskState> before;  // the state before `last`
     int last = -1;
@@ -129,6 +132,7 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--scenes", o->scenes, "scenes, a random trial each")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
+  tools::AddSceneOptions(app, &o->world);
   app->add_option("--actions", o->most_actions, "of a trial at most so many")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();

@@ -16,6 +16,7 @@
 #include "sim/png.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
+#include "tools/common/scene_options.h"
 #include "tools/view/episode_file.h"
 #include "tools/view/people_view.h"
 #include "tools/view/video.h"
@@ -32,6 +33,7 @@ struct Options {
   std::string frames;
   std::string video;
   std::string episode;
+  std::string world_version;  // the episode's; empty: any
   std::string size = "640x480";
   std::string camera;
   std::vector<int> actions;
@@ -53,12 +55,7 @@ void AddOptions(CLI::App* app, Options* options) {
   app->add_option("--video", options->video, "A video of every tick to write (MP4)");
   app->add_option("--episode", options->episode,
                   "An episode's result.json: task, scene and actions are taken from there");
-  app->add_option("--scene-file", options->world.scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
-  app->add_option("--tower", options->world.tower, "Stacking: blocks in the tower, 2 to 4")
-      ->capture_default_str();
-  app->add_option("--objects", options->world.objects, "Navigation: objects on the site, 4 to 7")
-      ->capture_default_str();
+  tools::AddSceneOptions(app, &options->world);
 }
 
 void ReadEpisode(Options* options) {
@@ -67,6 +64,7 @@ void ReadEpisode(Options* options) {
   options->task = episode.task;
   options->seed = episode.seed;
   options->actions = episode.actions;
+  options->world_version = episode.world_version;
   if (episode.task == "navigation") options->world.objects = episode.objects;
   sim::SetPlanLength(episode.task, episode.plan_length, &options->world);
 }
@@ -120,8 +118,17 @@ void RequireOutput(const Options& options) {
   }
 }
 
+// What is shown is what happened only in the world in which it did.
+void RequireWorld(const sim::Task& task, const std::string& wanted) {
+  if (wanted.empty() || wanted == task.spec().world_version) return;
+  throw std::invalid_argument("this episode was carried out in the world " + wanted +
+                              ", and this is " + task.spec().world_version +
+                              ": give its --scene-file");
+}
+
 int Run(const Options& options) {
   const auto task = sim::MakeTask(options.task, options.world);
+  RequireWorld(*task, options.world_version);
   task->Reset(options.seed);
   const bool every_tick = !options.frames.empty() || !options.video.empty();
   std::unique_ptr<FrameWriter> writer;

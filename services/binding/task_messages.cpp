@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "planner/attempts.h"
+#include "planner/tower.h"
 #include "services/binding/search_messages.h"
 
 namespace prospect::services {
@@ -66,6 +69,7 @@ planner::TaskRules RulesFromTask(const task_t& task) {
     rules.successors.push_back(Checked(action.successors, task.num_actions));
   }
   rules.successors.push_back(Checked(task.initial, task.num_actions));
+  rules.tower = planner::OneTower(WordsFromTask(task), rules);
   return rules;
 }
 
@@ -83,9 +87,13 @@ int PlanLengthOf(const task_t& task, const search_root_t& root) {
 
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
   planner::TaskRules rules = RulesFromTask(task);
-  rules.plan_length = PlanLengthOf(task, root);
-  if (!root.goals.empty()) planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
-  return rules;
+  const int plan_length = PlanLengthOf(task, root);
+  if (root.goals.empty()) {
+    rules.plan_length = plan_length;
+    return rules;
+  }
+  planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
+  return planner::RulesFor(std::move(rules), {{}, plan_length});
 }
 
 }  // namespace prospect::services

@@ -16,9 +16,10 @@ namespace prospect::services {
 /// searching by the wrong rules.
 std::int64_t TaskHash(const task_t& task);
 
-/// The planner's rules: action table size, plan length, what may follow what. Row num_actions of
-/// `successors` (the start) comes from `initial`. Throws std::runtime_error when an index lies
-/// outside the table; messages that passed ValidateMessage never do.
+/// The planner's rules: action table size, plan length, what may follow what, and in which order a
+/// tower grows. Row num_actions of `successors` (the start) comes from `initial`. Throws
+/// std::runtime_error when an index lies outside the table; messages that passed ValidateMessage
+/// never do.
 planner::TaskRules RulesFromTask(const task_t& task);
 
 /// The table's words, for goals: kind and object of each action.
@@ -28,9 +29,9 @@ std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
 /// root's parameter of that name, which a plan that was begun anew carries (planner/attempts.h).
 int PlanLengthOf(const task_t& task, const search_root_t& root);
 
-/// The rules of one search: the task's, its plan length, and the goal of its SEARCH_ROOT (prepared
-/// then). Throws as RulesFromTask, and planner::GoalError when the goal is no goal or not one of
-/// this task.
+/// The rules of one search: the task's, with its own plan length, and the goal of its SEARCH_ROOT,
+/// which the task's own plans can bring about (prepared then). Throws as RulesFromTask, and
+/// planner::GoalError when the goal is no goal or not one of this task.
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root);
 
 }  // namespace prospect::services

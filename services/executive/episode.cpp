@@ -10,6 +10,7 @@
 #include "model/surprise.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"
+#include "services/executive/covered.h"
 #include "services/executive/policy.h"
 #include "services/executive/preparation.h"
 
@@ -150,6 +151,7 @@ void Episode::Prepare() {
   talk_.health().SetState(health_t::STATE_BUSY);
   auto since = Clock::now();
   AwaitServices(talk_, options_);
+  RequireWorld(talk_, options_);
   talk_.HoldWorld();
   AddSeconds("services", since);
   NameWhatIf();
@@ -158,10 +160,12 @@ void Episode::Prepare() {
   first_ = latest_ = Look(talk_, 0);
   AddSeconds("look", since);
   if (options_.policy == "search") model_ = ChooseModel(talk_, options_);
+  if (options_.policy == "search") LearnWhatIsCovered();
   if (options_.policy == "search" && options_.promise.asked()) ChooseThreshold();
 
   const task_t& task = *talk_.view().task();
   record_.task = task.name;
+  record_.world_version = task.world_version;
   record_.seed = talk_.view().episode_id();
   record_.plan_length = task.plan_length;
   record_.first = PictureOf(first_);
@@ -171,6 +175,31 @@ void Episode::Prepare() {
   if (!talk_.view().label()) return;
   const auto& present = talk_.view().label()->present;
   record_.objects = static_cast<int>(std::count(present.begin(), present.end(), 1));
+}
+
+// Said at the start: whether what is known of these weights holds for such scenes at all.
+void Episode::LearnWhatIsCovered() {
+  const model::CalibrationSample* sample = options_.promise.asked()
+                                               ? &AwaitCalibration(talk_, model_)
+                                               : talk_.view().calibration(model_.weights_hash);
+  if (sample == nullptr) return;
+  const auto& label = talk_.view().label();
+  record_.not_covered =
+      model::NotCovered(*sample, KindOf(*talk_.view().task(), label ? &*label : nullptr));
+  if (record_.not_covered.empty()) return;
+  spdlog::warn("{}", record_.not_covered);
+  if (options_.promise.asked())
+    throw ExitError(kExitWeights, "nothing can be promised: " + record_.not_covered);
+}
+
+// Null where none was heard, or where it says nothing of this kind of scenes.
+const model::CalibrationSample* Episode::Calibration() const {
+  return record_.not_covered.empty() ? talk_.view().calibration(model_.weights_hash) : nullptr;
+}
+
+// Below which plans are refused unless a person says otherwise.
+double Episode::OwnThreshold() const {
+  return record_.not_covered.empty() ? model_.refusal_threshold : 0;
 }
 
 // What was promised for, by what is known of these weights.
@@ -204,7 +233,7 @@ SearchQuestion Episode::MakeQuestion(const planner::Attempt& attempt) const {
   const int remaining = attempt.plan_length - static_cast<int>(attempt.executed.size());
   parameters.depth = parameters.depth > 0 ? std::min(parameters.depth, remaining) : remaining;
   parameters.refusal_threshold =
-      options_.refusal_threshold >= 0 ? options_.refusal_threshold : model_.refusal_threshold;
+      options_.refusal_threshold >= 0 ? options_.refusal_threshold : OwnThreshold();
   question.samples = parameters.samples;
   parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
   parameters.workers = LiveWorkers();
@@ -303,6 +332,7 @@ void Episode::NameScene(Explanation* explanation) const {
   explanation->weights = record_.weights;
   explanation->engine = record_.engine;
   explanation->goal = record_.goal;
+  explanation->not_covered = record_.not_covered;
   explanation->seen = record_.first;
 }
 
@@ -318,7 +348,7 @@ void Episode::ExplainUnsearched(const std::string& reason) {
 
 // Calibration scenes were judged by their first search, so only that one is compared with them.
 void Episode::AddConfidence(double score) {
-  const model::CalibrationSample* sample = talk_.view().calibration(model_.weights_hash);
+  const model::CalibrationSample* sample = Calibration();
   if (sample == nullptr) return;
   const planner::SearchParameters& search = options_.search;
   const std::map<std::string, double> parameters = {

@@ -58,6 +58,9 @@ class Episode {
   void ExplainUnsearched(const std::string& reason);
   void NameScene(Explanation* explanation) const;
   void ChooseThreshold();
+  void LearnWhatIsCovered();
+  const model::CalibrationSample* Calibration() const;
+  double OwnThreshold() const;
   void AddConfidence(double score);
   void NameWhatIf();
   std::vector<planner::Future> OtherFirstActions(const planner::Plan& plan) const;

@@ -75,6 +75,7 @@ struct ActRecord {
 
 struct EpisodeRecord {
   std::string task;
+  std::string world_version;
   std::int64_t seed = 0;
   std::string policy;
   std::vector<std::string> goal;  // atoms; none: the task's own
@@ -88,8 +89,9 @@ struct EpisodeRecord {
   Picture first;                       // what the camera saw at the start
   std::vector<SearchRecord> searches;  // one before each action, under policy "search"
   std::vector<ActRecord> acts;
-  std::optional<Explanation> explanation;       // of the first search, where it was asked for
-  std::optional<Confidence> confidence;         // in the first search's plan
+  std::optional<Explanation> explanation;  // of the first search, where it was asked for
+  std::optional<Confidence> confidence;    // in the first search's plan
+  std::string not_covered;  // why the weights' calibration says nothing here; empty: it does
   std::optional<Familiarity> familiarity;       // of the first picture; none: nobody knows
   std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"
   std::vector<Picture> frames;    // every picture of the episode that was heard, in order

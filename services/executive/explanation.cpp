@@ -580,6 +580,7 @@ std::string ScoreSentence(const Explanation& explanation) {
 }
 
 std::vector<std::string> ConfidenceSentences(const Explanation& explanation) {
+  if (!explanation.not_covered.empty()) return {explanation.not_covered};
   if (!explanation.confidence) return {};
   const Confidence& confidence = *explanation.confidence;
   std::vector<std::string> sentences;

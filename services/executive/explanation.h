@@ -71,6 +71,7 @@ struct Explanation {
   std::optional<WhatIf> what_if;
   std::optional<Familiarity> familiarity;  // of the picture; none: nobody knows
   std::optional<Confidence> confidence;    // none: the weights carry no calibration sample
+  std::string not_covered;                 // why theirs says nothing of such scenes; empty: it does
 
   planner::SearchParameters parameters;  // with the refusal threshold
   std::string ended_by;                  // empty: refused before anything was searched

@@ -36,6 +36,9 @@ void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
       ->check(CLI::Range(0, 32))
       ->capture_default_str();
   app.add_flag("!--no-reset", options.reset, "take the scene as it is, as on a robot");
+  app.add_option("--world", options.world,
+                 "the world_version that TASK must have, as prospect-simulator --check says it; "
+                 "empty: any");
   app.add_option("--goal", options.goal,
                  "what is to hold in the end, such as \"on(red,blue)\", \"on(red,*)\" or "
                  "\"visited(barrel,pylon)\"; without: the task's own goal");

@@ -17,6 +17,7 @@ struct ExecutiveOptions {
   int objects = 0;                   ///< on the site; 0: as the simulator stands
   int legs = 0;                      ///< actions in a complete plan; 0: as the simulator stands
   bool reset = true;                 ///< false: take the scene as it is, as on a robot
+  std::string world;                 ///< world_version that TASK must have; empty: any
   std::string policy = "search";     ///< "search", "plan:0,1,2", or "collect"
   std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
   planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)

@@ -68,7 +68,7 @@ std::string PolicyDefect(const std::string& policy) {
 std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
                              bool retries) {
   const auto rules = RulesFromTask(task);
-  sim::RandomPlan random(rules.successors, seed, retries);
+  sim::RandomPlan random(rules, seed, retries);
   std::vector<int> done;
   while (!Over(rules, done)) {
     const std::vector<int> legal = Legal(rules, label, done);

@@ -120,6 +120,14 @@ void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
                                         Missing(talk, options) + " start them with ./prospect up");
 }
 
+void RequireWorld(Conversation& talk, const ExecutiveOptions& options) {
+  const std::string& up = talk.view().task()->world_version;
+  if (options.world.empty() || up == options.world) return;
+  throw ExitError(kExitUsage, "another scene is up than was asked for (its world is '" + up +
+                                  "', not '" + options.world +
+                                  "'): leave --scene-file out, or ./prospect down first");
+}
+
 void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
   if (!options.reset) {
     talk.view().FollowAny();

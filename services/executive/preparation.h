@@ -25,6 +25,9 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options);
 /// fits, kExitServiceLost when none lives.
 model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options);
 
+/// Throws kExitUsage where another world is up than a person asked for.
+void RequireWorld(Conversation& talk, const ExecutiveOptions& options);
+
 /// The calibration of this model's weights. Throws kExitWeights when its servers say none within
 /// 5 s: the weights carry none.
 const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model);

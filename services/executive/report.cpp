@@ -81,6 +81,7 @@ json ConfidenceJson(const Confidence& confidence) {
 
 // What calibration scenes say of the plan that was begun, or refused.
 std::string ConfidenceLines(const EpisodeRecord& record) {
+  if (!record.not_covered.empty()) return record.not_covered + '\n';
   if (!record.confidence) return "";
   std::string text;
   const bool planned = !record.searches.empty() && !record.searches.front().steps.empty();
@@ -190,6 +191,7 @@ std::string PlanTable(const EpisodeRecord& record) {
 
 std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   json result = {{"task", record.task},
+                 {"world_version", record.world_version},
                  {"seed", record.seed},
                  {"policy", record.policy},
                  {"goal", record.goal},
@@ -197,6 +199,7 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
                  {"plan_length", record.plan_length},
                  {"weights_hash", record.weights},
                  {"engine", record.engine},
+                 {"not_covered", record.not_covered},
                  {"outcome", record.outcome},
                  {"reason", record.reason},
                  {"exit_code", exit_code},

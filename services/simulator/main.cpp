@@ -1,11 +1,13 @@
 // prospect-simulator: a simulated robot in its world, on the bus.
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "services/common/common_options.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/simulator/simulator.h"
+#include "sim/task_factory.h"
 
 namespace {
 
@@ -43,7 +45,8 @@ void AddOptions(CLI::App& app, SimulatorOptions& options) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app.add_option("--scene-file", options.scene.scene_file,
-                 "stacking: a file like config/scenes/stacking.yaml");
+                 "stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
   app.add_option("--image-noise", options.scene.image_noise, "sensor noise, share of full range")
       ->check(CLI::Range(0.0, 0.25))
       ->capture_default_str();
@@ -52,6 +55,13 @@ void AddOptions(CLI::App& app, SimulatorOptions& options) {
                  "pace of the clock otherwise, frames a second of wall clock")
       ->check(CLI::Range(0.1, 10000.0))
       ->capture_default_str();
+}
+
+// For whoever starts a deployment: what is wrong with the options is told before anything runs.
+int Check(const SimulatorOptions& options) {
+  const auto task = prospect::sim::MakeTask(options.task, options.scene);
+  std::printf("%s\n", task->spec().world_version.c_str());
+  return kExitSuccess;
 }
 
 int Run(int argc, char** argv) {
@@ -64,6 +74,8 @@ int Run(int argc, char** argv) {
   AddOptions(app, options);
   ShiftChoice shift;
   AddShiftOptions(app, shift);
+  bool check = false;
+  app.add_flag("--check", check, "make the scene, say which world it is, and end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -72,8 +84,9 @@ int Run(int argc, char** argv) {
   ApplyCommonOptions(common, "simulator");
   if (shift.strength > 0) prospect::sim::SetShift(shift.factor, shift.strength, &options.scene);
 
-  Bus bus(common.bus);
   try {
+    if (check) return Check(options);
+    Bus bus(common.bus);
     Simulator simulator(bus, options);
     simulator.monitor().RequireOwnBus();
     while (!StopRequested()) simulator.Turn();

@@ -76,7 +76,7 @@ expect 2 "unknown task 'juggling': the tasks are navigation" prospect-evaluate -
 expect 2 "task 'juggling': .*known: navigation" prospect-train --task juggling --data good.h5 --out out
 expect 2 'objects.* 4 to 7' prospect-simulator --objects 9
 expect 2 'objects is 9, give 4 to 7' prospect-collect --objects 9 --out x.h5
-expect 2 'objects is 9, give 4 to 7' prospect-evaluate --weights "$good" --objects 9 --scenes 1
+expect 2 'objects.* 4 to 7' prospect-evaluate --weights "$good" --objects 9 --scenes 1
 expect 2 'collection takes 0 to 999,999' prospect-collect --seed 1000000 --trials 1 --out x.h5
 expect 2 'seed' prospect-evaluate --weights "$good" --seed 5 --scenes 1
 expect 2 "unknown row 'best'; known: planner" prospect-evaluate --weights "$good" --rows best --scenes 1

@@ -116,5 +116,38 @@ TEST_F(Promises, WithoutACalibrationNothingIsPromised) {
   EXPECT_EQ(Explain(deployment, {"--refuse-at-most", "0.1", "--refusal-threshold", "0.3"}), 2);
 }
 
+// The bundled weights were calibrated with four objects on the site; here are seven.
+TEST_F(Promises, AreNotCarriedOverToScenesOfAnotherKind) {
+  Deployment deployment("promise_other_kind");
+  deployment.Simulator();
+  const Process server("prospect-model-server",
+                       {"--weights", PROSPECT_ROOT "/model/weights/navigation.safetensors"},
+                       deployment.folder + "/model.log");
+  deployment.Worker();
+  const auto explain = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--samples", "20", "--novelty", "0"});
+    return Explain(deployment, more);
+  };
+  explain({});
+  auto result = deployment.Result();
+  EXPECT_TRUE(Holds(result.at("not_covered"),
+                    "plans of 3 actions among 4 objects, not on plans of 3 actions among 7"))
+      << result;
+  EXPECT_FALSE(result.contains("confidence"));
+  EXPECT_EQ(LatestThreshold(), 0) << "that of the calibration does not hold";
+  EXPECT_TRUE(Holds(deployment.Log("3-prospect-executive"), "may not have been trained for"));
+  EXPECT_TRUE(Holds(ReadText(deployment.folder + "/out/explain.html"), "were calibrated on"));
+
+  EXPECT_EQ(explain({"--refusal-threshold", "0.25"}), 3);
+  EXPECT_NEAR(LatestThreshold(), 0.25, 1e-6) << "what a person says does";
+  EXPECT_EQ(explain({"--refuse-at-most", "0.1"}), 10);
+  EXPECT_TRUE(Holds(deployment.Log("5-prospect-executive"), "nothing can be promised"));
+
+  explain({"--objects", "4"});
+  result = deployment.Result();
+  EXPECT_EQ(result.at("not_covered"), "");
+  EXPECT_GT(LatestThreshold(), 0.01) << "the weights' own";
+}
+
 }  // namespace
 }  // namespace prospect::tests

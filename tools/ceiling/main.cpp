@@ -46,7 +46,11 @@ void AddOptions(CLI::App* app, Options* o) {
       ->capture_default_str();
   app->add_option("--legs", o->collect.legs, "As the data set's: 3 to 5, or mixed")
       ->capture_default_str();
-  app->add_option("--tower", o->collect.tower, "As the data set's: 2 to 4")->capture_default_str();
+  app->add_option("--tower", o->collect.tower, "As the data set's: 2 to 4")
+      ->check(CLI::Range(2, 4))
+      ->capture_default_str();
+  app->add_option("--scene-file", o->collect.scene_file, "As the data set's, for stacking")
+      ->check(CLI::ExistingFile);
   app->add_option("--trials", o->trials,
                   "Test trials to look at; from those that last long enough one moment is taken")
       ->check(CLI::Range(1, 100'000))

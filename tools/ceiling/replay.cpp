@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
@@ -22,7 +23,7 @@ struct Story {
 // The task is left at the moment. Empty if the trial has fewer actions.
 std::optional<Story> TellStory(sim::Task& task, std::uint64_t seed, int number) {
   task.Reset(seed);
-  sim::RandomPlan plan(task.spec().successors, seed);
+  sim::RandomPlan plan(sim::PlanRules(task.spec()), seed);
   Story story;
   std::unique_ptr<sim::TaskState> moment;
   while (story.next.size() < kNext) {
@@ -81,7 +82,7 @@ class Repeater {
   }
 
   void Finish(std::size_t chosen, int run) {
-    sim::RandomPlan plan(task_.spec().successors, Stream(kPlanStream, chosen, run));
+    sim::RandomPlan plan(sim::PlanRules(task_.spec()), Stream(kPlanStream, chosen, run));
     for (const int action : story_.before) plan.Follow(action);
     for (std::size_t i = 0; i < chosen; ++i) plan.Follow(story_.next[i]);
     for (auto legal = task_.LegalActions(); !legal.empty(); legal = task_.LegalActions()) {

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 
 namespace prospect::tools {
@@ -66,7 +67,7 @@ model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image
   task.Reset(seed);
   TrialRecorder recorder(task, seed);
   recorder.OnFrame(task.Observe(), task.progress());
-  sim::RandomPlan plan(task.spec().successors, seed);
+  sim::RandomPlan plan(sim::PlanRules(task.spec()), seed);
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
     sim::RunAction(task, plan.Choose(legal), &recorder);
   }

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
+
+#include "planner/tower.h"
+#include "tools/evaluate/decider.h"
 
 namespace prospect::tools {
 namespace {
@@ -69,14 +73,25 @@ model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes) {
   return sample;
 }
 
+model::SceneKind KindOf(const sim::Task& task) {
+  const sim::TaskSpec& spec = task.spec();
+  const std::vector<bool> present = task.PresentActions();
+  std::set<std::string> objects;
+  for (std::size_t i = 0; i < spec.actions.size(); ++i) {
+    if (present[i]) objects.insert(spec.actions[i].object);
+  }
+  return {spec.plan_length, static_cast<int>(objects.size()), planner::TowerLevels(RulesOf(spec))};
+}
+
 std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,
-                                                int plan_length, int retries) {
+                                                const model::SceneKind& kind, int retries) {
   return {{"samples", static_cast<double>(search.samples)},
           {"c", search.c},
           {"c_done", search.c_done},
           {"v_failed", search.v_failed},
           {"p_min", search.p_min},
-          {"plan_length", plan_length},
+          {"plan_length", kind.plan_length},
+          {"objects", kind.objects},
           {"retries", retries}};
 }
 
@@ -98,13 +113,25 @@ model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
   return calibration;
 }
 
-double PromisedThresholdOf(const std::string& weights, const model::Promise& promise) {
+std::string HeedCoverage(const std::string& weights, const model::SceneKind& kind,
+                         double* threshold) {
+  const std::string words = model::NotCovered(model::CalibrationOf(weights).sample, kind);
+  if (words.empty()) return words;
+  std::cerr << words << "\n";
+  if (*threshold < 0) *threshold = 0;
+  return words;
+}
+
+double PromisedThresholdOf(const std::string& weights, const model::Promise& promise,
+                           const model::SceneKind& kind) {
   const model::CalibrationSample sample = model::CalibrationOf(weights).sample;
   if (sample.empty()) {
     throw PromiseError(weights +
                        ": carries no calibration sample to choose a threshold by: make one with "
                        "./prospect evaluate --calibrate");
   }
+  const std::string not_covered = model::NotCovered(sample, kind);
+  if (!not_covered.empty()) throw PromiseError("nothing can be promised: " + not_covered);
   const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
   Tell(promised.words);
   if (!promised.kept) std::cout << model::CurveTable(sample);

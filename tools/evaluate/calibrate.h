@@ -7,7 +7,9 @@
 
 #include "model/calibration.h"
 #include "model/refusal/promise.h"
+#include "model/refusal/scene_kind.h"
 #include "planner/search_parameters.h"
+#include "sim/task.h"
 #include "tools/evaluate/report.h"
 
 namespace prospect::tools {
@@ -20,9 +22,19 @@ void AddPromiseOptions(CLI::App* app, model::Promise* promise);
 // planner's score, class or ending.
 model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes);
 
+// What kind of scene the task stands at.
+model::SceneKind KindOf(const sim::Task& task);
+
 // What a search must share with the calibration to be covered by it, by name.
 std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,
-                                                int plan_length, int retries);
+                                                const model::SceneKind& kind, int retries);
+
+// Where the calibration of the weights says nothing of scenes of this kind: tells so on standard
+// error, and makes a threshold that is the weights' own (below 0) 0, so that nothing is refused for
+// its score. Returns what it told; empty: all is as the calibration has it. Throws
+// model::WeightsError.
+std::string HeedCoverage(const std::string& weights, const model::SceneKind& kind,
+                         double* threshold);
 
 // The calibration of such records for a promise. Its threshold is what the promise leads to;
 // where nothing may be attempted by it, 1. `words` gets what is to be told.
@@ -36,8 +48,10 @@ class PromiseError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The threshold that the sample stored with the weights gives for `promise`; tells why on standard
-// output, with the curve where not all of it can be kept. Throws PromiseError, model::WeightsError.
-double PromisedThresholdOf(const std::string& weights, const model::Promise& promise);
+// The threshold that the sample stored with the weights gives for `promise` in scenes of this kind;
+// tells why on standard output, with the curve where not all of it can be kept. Throws
+// PromiseError, model::WeightsError.
+double PromisedThresholdOf(const std::string& weights, const model::Promise& promise,
+                           const model::SceneKind& kind);
 
 }  // namespace prospect::tools

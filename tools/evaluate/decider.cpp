@@ -4,6 +4,8 @@
 #include <random>
 #include <utility>
 
+#include "sim/plan_rules.h"
+
 namespace prospect::tools {
 namespace {
 
@@ -45,11 +47,7 @@ class Random : public Decider {
 }  // namespace
 
 planner::TaskRules RulesOf(const sim::TaskSpec& spec, const Goal& goal) {
-  planner::TaskRules rules;
-  rules.num_actions = static_cast<int>(spec.actions.size());
-  rules.plan_length = spec.plan_length;
-  rules.successors = spec.successors;
-  rules.repeats_allowed = spec.repeats_allowed;
+  planner::TaskRules rules = sim::PlanRules(spec);
   std::vector<planner::ActionWords> words;
   for (const sim::ActionSpec& action : spec.actions) words.push_back({action.kind, action.object});
   planner::SetGoal(goal, words, &rules);

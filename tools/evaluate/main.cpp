@@ -20,6 +20,7 @@
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
 #include "tools/common/json_file.h"
+#include "tools/common/scene_options.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
@@ -80,10 +81,7 @@ void AddOptions(CLI::App* app, Options* o) {
                   "First scene; 1000000 and up, since lower seeds are for training")
       ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
       ->capture_default_str();
-  app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
-      ->capture_default_str();
-  app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
-  app->add_option("--tower", o->world.tower, "Blocks in the tower, 2 to 4")->capture_default_str();
+  AddSceneOptions(app, &o->world);
   app->add_option(
       "--goal", o->goal_text,
       "What is to hold in the end, such as \"on(red,blue)\" or "
@@ -130,11 +128,6 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--json", o->json_file, "Also write the figures and a record a scene here");
 }
 
-// An actions' world, whatever it calls the options that make a plan longer.
-sim::OracleKey KeyOf(const Options& options, const sim::Task& task) {
-  return {options.task, task.spec().world_version, options.world.objects, task.spec().plan_length};
-}
-
 // N of a row "samples=N".
 std::optional<int> SamplesOf(const std::string& row) {
   const std::string prefix = "samples=";
@@ -155,9 +148,9 @@ class Bench {
         task_(sim::MakeTask(options.task, options.world)),
         engine_(model::LoadSearchEngine(options.weights, 1)),
         gauge_(model::NoveltyGauge::Load(options.weights)),
-        cache_(KeyOf(options, *task_)) {
+        cache_(sim::OracleKeyOf(*task_, options.world.objects)) {
     if (!options.goal.empty()) {
-      sim::OracleKey key = KeyOf(options, *task_);
+      sim::OracleKey key = sim::OracleKeyOf(*task_, options.world.objects);
       key.goal = planner::ToString(options.goal);
       goal_cache_.emplace(key);
     }
@@ -311,22 +304,41 @@ void PrepareCalibration(Options* options) {
   }
 }
 
+// What differs from the defaults.
+std::string SceneOptions(const Options& options) {
+  const sim::TaskOptions usual;
+  std::string text;
+  const auto add = [&text](const char* name, int value, int otherwise) {
+    if (value != otherwise) text += std::string(" --") + name + " " + std::to_string(value);
+  };
+  add("objects", options.world.objects, usual.objects);
+  add("legs", options.world.legs, usual.legs);
+  add("tower", options.world.tower, usual.tower);
+  if (!options.world.scene_file.empty()) text += " --scene-file " + options.world.scene_file;
+  return text;
+}
+
 std::string CalibrationCommand(const Options& options) {
   std::ostringstream text;
-  text << "./prospect evaluate --task " << options.task << " --calibrate --scenes "
-       << options.scenes << " --seed " << options.seed << " --samples " << options.search.samples
-       << " --v-failed " << options.search.v_failed;
+  text << "./prospect evaluate --task " << options.task << SceneOptions(options)
+       << " --calibrate --scenes " << options.scenes << " --seed " << options.seed << " --samples "
+       << options.search.samples << " --v-failed " << options.search.v_failed;
   if (options.promise.refuse_at_most) text << " --alpha " << *options.promise.refuse_at_most;
   if (options.promise.fail_at_most)
     text << " --epsilon " << *options.promise.fail_at_most << " --delta " << options.promise.delta;
   return text.str();
 }
 
+model::SceneKind KindAsked(const Options& options) {
+  const auto task = sim::MakeTask(options.task, options.world);
+  task->Reset(options.seed);
+  return KindOf(*task);
+}
+
 void Calibrate(const Options& options, const std::vector<SceneRecord>& scenes) {
   model::CalibrationSample sample = SampleFrom(scenes);
-  const int plan_length = sim::MakeTask(options.task, options.world)->spec().plan_length;
   sample.rule = options.search.rule;
-  sample.parameters = CoveredParameters(options.search, plan_length, options.retries);
+  sample.parameters = CoveredParameters(options.search, KindAsked(options), options.retries);
   std::vector<std::string> words;
   const model::Calibration calibration =
       CalibrationFrom(sample, options.promise, CalibrationCommand(options), &words);
@@ -350,7 +362,7 @@ void ChoosePromisedThreshold(Options* options) {
   if (options->calibrate || !options->promise.asked()) return;
   if (options->threshold >= 0)
     throw std::invalid_argument("--threshold is given: leave --alpha and --epsilon out");
-  options->threshold = PromisedThresholdOf(options->weights, options->promise);
+  options->threshold = PromisedThresholdOf(options->weights, options->promise, KindAsked(*options));
   std::cout << "refusal threshold " << options->threshold << "\n";
 }
 
@@ -386,6 +398,9 @@ int Main(int argc, char** argv) {
     options.rows.insert(options.rows.begin(), "planner");
   CheckInputs(options);
   ChoosePromisedThreshold(&options);
+  const std::string not_covered =
+      options.calibrate ? ""
+                        : HeedCoverage(options.weights, KindAsked(options), &options.threshold);
   const std::vector<SceneRecord> scenes =
       RunScenes(SeedsOf(options), options.jobs, [&]() -> SceneRun {
         auto bench = std::make_shared<Bench>(options);
@@ -401,12 +416,15 @@ int Main(int argc, char** argv) {
   summary["first_seed"] = options.seed;
   summary["objects"] = options.world.objects;
   summary["legs"] = options.world.legs;
+  summary["tower"] = options.world.tower;
+  summary["scene_file"] = options.world.scene_file;
   summary["samples"] = options.search.samples;
   summary["factor"] = options.shift.factor;
   summary["strength"] = options.shift.strength;
   summary["open_loop"] = options.shift.open_loop;
   summary["novelty"] = options.shift.novelty;
   summary["threshold"] = options.threshold;
+  summary["not_covered"] = not_covered;
   summary["records"] = scenes;
   try {
     WriteJsonFile(options.json_file, summary, 1);

@@ -44,6 +44,9 @@ void AddOptions(CLI::App* app, Options* o) {
                   "Navigation: objects on the site, 4 to 7, or mixed: half of the scenes 4, the "
                   "others 4 to 7")
       ->capture_default_str();
+  app->add_option("--scene-file", o->kind.scene_file,
+                  "Stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
 }
 
 std::vector<model::NoveltySample> Samples(const Options& options, model::Engine* engine) {

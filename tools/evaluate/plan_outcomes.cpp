@@ -157,7 +157,8 @@ std::string OutcomePath(const sim::TaskSpec& spec, const sim::TaskOptions& world
           ? std::string(data)
           : std::string(home != nullptr ? home : "/tmp") + "/.cache/prospect";
   return folder + "/plans/" + spec.name + "-" + spec.world_version + "-objects" +
-         std::to_string(world.objects) + "-legs" + std::to_string(world.legs) + "-runs" +
+         std::to_string(world.objects) + "-legs" + std::to_string(world.legs) +
+         (world.tower > 2 ? "-tower" + std::to_string(world.tower) : "") + "-runs" +
          std::to_string(runs) + "-most" + std::to_string(most) + ".jsonl";
 }
 

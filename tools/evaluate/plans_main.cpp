@@ -9,6 +9,7 @@
 #include "sim/task_factory.h"
 #include "tools/common/guarded.h"
 #include "tools/common/json_file.h"
+#include "tools/common/scene_options.h"
 #include "tools/evaluate/plan_outcomes.h"
 #include "tools/evaluate/plan_scores.h"
 #include "tools/evaluate/scene_runs.h"
@@ -38,9 +39,7 @@ void AddOptions(CLI::App* app, Options* o) {
                   "2000000 and up")
       ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
       ->capture_default_str();
-  app->add_option("--objects", o->world.objects, "Objects on the site, 4 to 7")
-      ->capture_default_str();
-  app->add_option("--legs", o->world.legs, "Objects to investigate, 3 to 5")->capture_default_str();
+  AddSceneOptions(app, &o->world);
   app->add_option("--runs", o->runs,
                   "Times that each plan is carried out, and as often again for the ceiling")
       ->check(CLI::Range(1, 1000))

@@ -10,6 +10,8 @@
 #include "tools/common/guarded.h"
 #include "tools/common/json_file.h"
 #include "tools/common/progress.h"
+#include "tools/common/scene_options.h"
+#include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/scene_runs.h"
 #include "tools/evaluate/shift_plot.h"
@@ -43,10 +45,7 @@ void AddOptions(CLI::App* app, Options* o) {
   app->add_option("--seed", o->seed, "First scene; 1000000 and up")
       ->check(CLI::Range(std::uint64_t{1'000'000}, std::uint64_t{1} << 40))
       ->capture_default_str();
-  app->add_option("--objects", sweep.world.objects, "Navigation: objects on the site, 4 to 7")
-      ->capture_default_str();
-  app->add_option("--legs", sweep.world.legs, "Navigation: objects to investigate, 3 to 5")
-      ->capture_default_str();
+  AddSceneOptions(app, &sweep.world);
   app->add_option("--samples", sweep.search.samples, "Rollouts a search")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -72,6 +71,8 @@ json KeyOf(const Options& o) {
           {"factors", o.factors},
           {"objects", sweep.world.objects},
           {"legs", sweep.world.legs},
+          {"tower", sweep.world.tower},
+          {"scene_file", sweep.world.scene_file},
           {"samples", sweep.search.samples},
           {"v_failed", sweep.search.v_failed},
           {"novelty", sweep.novelty_level},
@@ -81,8 +82,10 @@ json KeyOf(const Options& o) {
 void Prepare(Options* options) {
   SweepOptions& sweep = options->sweep;
   sweep.points = ShiftPoints(options->factors);
-  sim::MakeTask(sweep.task, sweep.world);  // refuses what is out of range, before any process
+  const auto task = sim::MakeTask(sweep.task, sweep.world);  // refuses what is out of range
+  task->Reset(options->seed);
   RequireWeightsOf(sweep.task, sweep.weights);
+  HeedCoverage(sweep.weights, KindOf(*task), &options->threshold);
   sweep.search.refusal_threshold = options->threshold;
   if (options->threshold < 0) {
     sweep.search.refusal_threshold =

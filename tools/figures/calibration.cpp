@@ -122,7 +122,7 @@ std::string Caption(int trials) {
          "with 95 % intervals that take judgements as independent; on the diagonal they hold) and "
          "how many judgements fell into each bin (bars, on a logarithmic scale). Upper row: states "
          "that "
-         "were seen, at the ends of actions and, for f, also inside them; below: states "
+         "were seen, at the ends of actions; below: states "
          "imagined from there by what was then done, one and two actions further. Brier score: "
          "mean "
          "squared error, beside that of always answering the base rate. Calibration error: mean "

@@ -18,11 +18,11 @@ HeldOut::HeldOut(const std::string& path) : file_(path) {
   }
 }
 
-SeenTrial HeldOut::Read(std::size_t k, int mids) const {
+SeenTrial HeldOut::Read(std::size_t k) const {
   const std::size_t number = trials_.at(k);
   SeenTrial trial;
   trial.labels = file_.ReadLabels(number);
-  model::AddTrial(trial.labels, number, mids, &trial.samples);
+  model::AddTrial(trial.labels, number, /*mids_per_segment=*/0, &trial.samples);
   std::vector<int> frames;
   for (const model::FrameRef& frame : trial.samples.frames) frames.push_back(frame.frame);
   const std::size_t bytes = trial.labels.frame_bytes();

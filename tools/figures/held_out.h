@@ -32,8 +32,7 @@ class HeldOut {
   std::size_t size() const { return trials_.size(); }
   /// Labels of trial `k`, 0..size()-1.
   model::Trial Labels(std::size_t k) const { return file_.ReadLabels(trials_.at(k)); }
-  /// Trial `k` with `mids` frames inside each segment besides the boundaries.
-  SeenTrial Read(std::size_t k, int mids = 0) const;
+  SeenTrial Read(std::size_t k) const;
 
   /// All trials in an order that `seed` alone decides.
   std::vector<std::size_t> Shuffled(std::uint64_t seed) const;

@@ -24,9 +24,6 @@ class TrialJudge {
       const model::Hidden& goal = State(segment.goal);
       Add(engine_->Evaluate(h0().data(), goal.data(), segment.action), segment.action, k + 1, 0);
       record_->f[0].push_back({done_head_(h0(), goal, segment.action), segment.succeeded});
-      for (const int mid : segment.mids) {
-        record_->f[0].push_back({done_head_(h0(), State(mid), segment.action), false});
-      }
     }
   }
 

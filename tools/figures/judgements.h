@@ -17,10 +17,11 @@ struct HeadRecord {
 };
 
 /// Adds one trial, with the labels that the heads are trained on (docs/training.md). Seen states
-/// are those of the trial's first picture and of each action's end, for f also frames inside an
-/// action (as many as `trial` was read with). Imagined ones begin at the start of each action and
-/// follow what was done: one transform to the end of that action, two to the end of the next. Q is
-/// asked of the action that was taken next, p of all.
+/// are those of the trial's first picture and of each action's end: there is where plans ask, and
+/// how often f is right inside an action depends on how many frames from inside are asked about.
+/// Imagined ones begin at the start of each action and follow what was done: one transform to the
+/// end of that action, two to the end of the next. Q is asked of the action that was taken next, p
+/// of all.
 void AddJudgements(const SeenTrial& trial, model::Engine* engine, const DoneHead& done_head,
                    HeadRecord* record);
 

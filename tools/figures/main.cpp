@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr int kMostScenes = 40;  // looked at for one that shows something
 constexpr int kChains = 4;       // examples in variants.png
-constexpr int kMids = 1;         // frames inside an action, for f
 constexpr int kPictures = 6;     // in reconstructions.png
 
 const std::vector<std::string> kNames = {"predictions",   "reconstructions", "hidden-states",
@@ -176,7 +175,7 @@ Page MakeCalibration(const Options& options, const Studio& studio) {
   tools::Progress progress("trials judged", static_cast<int>(chosen.size()));
   HeadRecord record;
   for (const std::size_t k : chosen) {
-    const SeenTrial trial = studio.held_out->Read(k, kMids);
+    const SeenTrial trial = studio.held_out->Read(k);
     if (!trial.segments().empty()) {
       AddJudgements(trial, studio.own.engine.get(), studio.own.done, &record);
     }

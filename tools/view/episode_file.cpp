@@ -13,6 +13,7 @@ CarriedOut ReadEpisodeResult(const std::string& path) {
     const nlohmann::json result = nlohmann::json::parse(in);
     CarriedOut episode;
     result.at("task").get_to(episode.task);
+    episode.world_version = result.value("world_version", std::string());
     result.at("seed").get_to(episode.seed);
     result.at("objects").get_to(episode.objects);
     result.at("plan_length").get_to(episode.plan_length);

@@ -10,6 +10,7 @@ namespace prospect::tools {
 // What a result.json says was carried out.
 struct CarriedOut {
   std::string task;
+  std::string world_version;  // empty in files that do not say it
   std::uint64_t seed = 0;
   int objects = 0;      // navigation: objects on the site
   int plan_length = 0;  // actions in a complete plan

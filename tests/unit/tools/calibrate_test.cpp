@@ -74,9 +74,10 @@ TEST(CalibrationFromSample, WhatCannotBePromisedRefusesAll) {
 TEST(CoveredParameters, AreThoseThatChangeScores) {
   planner::SearchParameters search;
   search.samples = 10;
-  const auto parameters = CoveredParameters(search, 9, 2);
+  const auto parameters = CoveredParameters(search, {9, 4, 2}, 2);
   EXPECT_EQ(parameters.at("samples"), 10);
   EXPECT_EQ(parameters.at("plan_length"), 9);
+  EXPECT_EQ(parameters.at("objects"), 4);
   EXPECT_EQ(parameters.at("retries"), 2);
   EXPECT_EQ(parameters.at("v_failed"), search.v_failed);
 }
