@@ -182,9 +182,7 @@ void Print(const json& report) {
 
 void Write(const std::string& file, const std::string& text) {
   if (file.empty()) return;
-  std::ofstream out(file);
-  out << text;
-  if (!out) throw std::runtime_error("cannot write " + file);
+  base::WriteFile(file, text);
 }
 
 }  // namespace
@@ -208,6 +206,9 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "prospect-bench: %s\n", error.what());
     return 2;
+  } catch (const base::DiskError& error) {
+    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
+    return 13;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prospect-bench: %s\n", error.what());
     return 1;

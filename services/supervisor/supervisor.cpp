@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <sstream>
 #include <thread>
 #include <utility>
 
+#include "base/json_file.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/supervisor/child.h"
 
@@ -65,7 +66,7 @@ void Supervisor::Turn() {
 void Supervisor::KeepState() const {
   try {
     WriteState();
-  } catch (const ExitError& error) {
+  } catch (const base::DiskError& error) {
     spdlog::error("{}; the services go on", error.what());
   }
 }
@@ -163,21 +164,21 @@ json Supervisor::Describe(const Service& service) const {
 void Supervisor::WriteState() const {
   // The same for shells, before services.json, so that who reads that finds both: name, status,
   // last words.
-  std::ofstream given_up(state_ + "/given_up");
+  std::ostringstream given_up;
   for (const Service& service : services_) {
     if (service.state != State::kGivenUp) continue;
     given_up << service.spec.name << '\t' << service.last_exit << '\t' << service.last_words
              << '\n';
   }
-  given_up.close();
+  base::WriteFile(state_ + "/given_up", given_up.str());
   json services = json::array();
   for (const Service& service : services_) services.push_back(Describe(service));
-  WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
-                                            {"bus", deployment_.bus},
-                                            {"task", deployment_.task},
-                                            {"supervisor_pid", getpid()},
-                                            {"logs", logs_},
-                                            {"services", services}});
+  base::WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
+                                                  {"bus", deployment_.bus},
+                                                  {"task", deployment_.task},
+                                                  {"supervisor_pid", getpid()},
+                                                  {"logs", logs_},
+                                                  {"services", services}});
 }
 
 }  // namespace prospect::services
