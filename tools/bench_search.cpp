@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "planner/scripted_model.h"
 #include "planner/search.h"
 #include "tools/bench/cpu_clock.h"
