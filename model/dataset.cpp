@@ -6,8 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "model/atomic_file.h"
+#include "base/atomic_file.h"
 #include "model/demo_io.h"
+#include "model/foreign_file.h"
 #include "model/hash.h"
 #include "model/hdf5_io.h"
 
@@ -21,6 +22,8 @@ hsize_t Size(int n) { return static_cast<hsize_t>(n); }
 void ReadAttributes(hid_t demo, const std::string& file, Trial* trial) {
   trial->seed = static_cast<std::uint64_t>(hdf5::GetInteger(demo, "seed", file));
   if (H5Aexists(demo, "name") > 0) trial->name = hdf5::GetText(demo, "name", file);
+  if (H5Aexists(demo, "simulated") > 0)
+    trial->simulated = hdf5::GetInteger(demo, "simulated", file) != 0;
   trial->task = hdf5::GetText(demo, "task", file);
   trial->outcome = hdf5::GetText(demo, "outcome", file);
   trial->reason = hdf5::GetText(demo, "reason", file);
@@ -105,7 +108,7 @@ Sources SourcesBySeed(const std::vector<std::string>& files) {
     const TrialFile file(name);
     for (std::size_t i = 0; i < file.size(); ++i) {
       const std::uint64_t seed = file.seeds()[i];
-      if (seed > kLastCollectionSeed) {
+      if (seed > kLastCollectionSeed && file.ReadLabels(i).simulated) {
         throw DataError(name + ": seed " + std::to_string(seed) +
                         " is kept for tuning or evaluation; data sets take 0 to 999,999");
       }
@@ -183,6 +186,17 @@ void SelectFrame(hid_t space, int frame, const Trial& trial, const std::string& 
 
 }  // namespace
 
+namespace {
+
+hdf5::Handle OpenOurs(const std::string& path) {
+  hdf5::Handle file = hdf5::OpenFile(path);
+  const std::string foreign = ForeignWords(file, path);
+  if (!foreign.empty()) throw DataError(path + ": " + foreign);
+  return file;
+}
+
+}  // namespace
+
 struct TrialFile::Impl {
   std::string path;
   hdf5::Handle file;
@@ -191,7 +205,7 @@ struct TrialFile::Impl {
   Parts parts;  // what the masks say
 
   explicit Impl(const std::string& name)
-      : path(name), file(hdf5::OpenFile(name)), data(hdf5::OpenGroup(file, "data", name)) {
+      : path(name), file(OpenOurs(name)), data(hdf5::OpenGroup(file, "data", name)) {
     for (const std::string& link : hdf5::LinkNames(data, path)) {
       seeds.push_back(SeedOfName(link, path));
     }
@@ -294,14 +308,15 @@ std::string TrialFile::PicturesHash() const {
 
 void WriteTrialFile(const std::string& path, const Trial& trial) {
   ValidateTrial(trial);
-  const AtomicFile target(path);
+  base::AtomicFile target(path);
   {
     hdf5::Handle file = hdf5::CreateInMemory(path);
     hdf5::Handle data = hdf5::CreateGroup(file, "data", path);
     WriteDemo(data, trial, path);
     WriteDataAttributes(data, trial, trial.frames(), path);
     WriteMasks(file, {{trial.seed, trial.part()}}, path);
-    target.Write(hdf5::ImageOf(file, path));
+    const std::vector<std::uint8_t> image = hdf5::ImageOf(file, path);
+    target.Write({reinterpret_cast<const char*>(image.data()), image.size()});
   }
   target.Commit();
 }
@@ -325,7 +340,7 @@ std::uintmax_t PackedBytes(const Sources& by_seed) {
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
                            const PackChoice& choice) {
   const Sources by_seed = Chosen(SourcesBySeed(parts), choice);
-  const AtomicFile target(out);
+  base::AtomicFile target(out, base::Rivals::kRefused);
   {
     hdf5::Handle file = hdf5::CreateFile(target.temporary());
     target.Reserve(PackedBytes(by_seed));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/disk_error.h"
 #include "model/trial.h"
 
 /// Data sets on disk: HDF5 files in robomimic's layout (docs/architecture.md).
@@ -20,7 +21,9 @@
 ///   data/demo_SEED/prev_action        int32 [N]     segment int32 [N]   rewards float32 [N]
 ///   data/demo_SEED/dones              uint8 [N]     present int32 [A]   segment_succeeded int8 [S]
 ///   data/demo_SEED                    attributes num_samples, seed, task, outcome, reason, ...,
-///                                     name (only where trials have names of their own)
+///                                     name (only where trials have names of their own),
+///                                     simulated (0 where the seed is a robot's number, else left
+///                                     out)
 ///   mask/train, mask/valid, mask/test names of the trials of each part; a trial in none of them is
 ///                                     in the part of its seed (SplitOf)
 ///
@@ -36,12 +39,7 @@ class DataError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A data set cannot be written: the disk is full, or the folder is missing or read-only. The
-/// message names the file and says what to do.
-class DiskError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using base::DiskError;
 
 /// Writes a file that holds this one trial. Atomic: it is written under another name in the same
 /// folder and renamed when whole, so a file of that name is always complete. An existing file is
@@ -58,14 +56,11 @@ struct PackChoice {
 /// Joins the chosen trials of files (each of one or more trials) into the data set `out`, in the
 /// order of their seeds, and writes the masks. Image chunks are copied without being unpacked.
 /// Atomic as WriteTrialFile. Returns the number of trials. Throws DataError on a damaged part, on a
-/// seed that comes twice, on seeds outside the collection range, on trials of different tasks or
-/// image sizes, or if no trial is left, and DiskError where there is no room for `out`.
+/// seed that comes twice, on simulated seeds outside the collection range, on trials of different
+/// tasks or image sizes, or if no trial is left, and DiskError where there is no room for `out`, or
+/// another process is writing it.
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
                            const PackChoice& choice = {});
-
-/// The name under which process `pid` writes the file `path` until it is whole. It stays behind
-/// when that process is killed.
-std::string TemporaryName(const std::string& path, int pid);
 
 /// True if `path` is a whole trial file or data set that opens; never throws. For restartable
 /// collectors.

@@ -23,6 +23,7 @@ void WriteAttributes(hid_t demo, const Trial& trial, const std::string& file) {
   hdf5::SetInteger(demo, "num_samples", trial.frames(), file);
   hdf5::SetInteger(demo, "seed", static_cast<std::int64_t>(trial.seed), file);
   if (!trial.name.empty()) hdf5::SetText(demo, "name", trial.name, file);
+  if (!trial.simulated) hdf5::SetInteger(demo, "simulated", 0, file);
   hdf5::SetText(demo, "task", trial.task, file);
   hdf5::SetText(demo, "outcome", trial.outcome, file);
   hdf5::SetText(demo, "reason", trial.reason, file);

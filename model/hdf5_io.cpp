@@ -138,7 +138,10 @@ Handle OpenFile(const std::string& path) {
 
 Handle CreateFile(const std::string& path) {
   Quiet();
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  // Whoever writes a whole file holds its lock already (base/atomic_file.h).
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "property list");
+  Check(H5Pset_file_locking(access, /*use=*/false, /*ignore_when_disabled=*/true), path, "locks");
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0)
     throw DiskError(path + ": cannot be created; check the folder and the space on the disk");
   return Handle(file, H5Fclose, path, "");

@@ -33,7 +33,7 @@ void Quiet();
 void Check(herr_t status, const std::string& file, const std::string& what);
 
 Handle OpenFile(const std::string& path);
-/// Throws DiskError.
+/// Unlocked: for files that their writer has locked. Throws DiskError.
 Handle CreateFile(const std::string& path);
 /// A file that is built in memory: libhdf5 crashes at exit when it could not write what it holds.
 Handle CreateInMemory(const std::string& name);

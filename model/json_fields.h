@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace prospect::model {
@@ -23,6 +26,10 @@ class JsonFields {
     known_.push_back(key);
     const auto found = object_.find(key);
     if (found == object_.end()) return *this;
+    if (!Fits<T>(*found)) {
+      throw std::invalid_argument(where_ + "." + key + ": has the wrong type or does not fit (" +
+                                  found->dump() + ")");
+    }
     try {
       found->get_to(*value);  // nested objects keep what the JSON does not name
     } catch (const nlohmann::json::exception&) {
@@ -41,6 +48,22 @@ class JsonFields {
   }
 
  private:
+  /// The library would cut 2.7 to 2, wrap what is too large around and take true for 1.
+  template <typename T>
+  static bool Fits(const nlohmann::json& value) {
+    if constexpr (std::is_same_v<T, bool>) return value.is_boolean();
+    if constexpr (std::is_floating_point_v<T>) return value.is_number();
+    if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+      if (!value.is_number_integer()) return false;
+      if (value.is_number_unsigned())
+        return value.get<std::uint64_t>() <=
+               static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+      return std::is_signed_v<T> &&
+             value.get<std::int64_t>() >= static_cast<std::int64_t>(std::numeric_limits<T>::min());
+    }
+    return true;
+  }
+
   const nlohmann::json& object_;
   std::string where_;
   std::vector<std::string> known_;

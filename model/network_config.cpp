@@ -23,7 +23,8 @@ void Validate(const NetworkConfig& c) {
           "image_height: must be a multiple of 16 from 32 to 1024");
   Require(c.hidden_channels >= 1 && c.hidden_channels <= 256, "hidden_channels: must be 1 to 256");
   Require(c.num_actions >= 1 && c.num_actions <= 254, "num_actions: must be 1 to 254");
-  Require(c.transform_dropout < 1, "transform_dropout: must be below 1");
+  Require(c.transform_dropout >= -1 && c.transform_dropout < 1,
+          "transform_dropout: must be at least 0, below 1, or -1: as dropout");
   Require(IsShare(c.dropout) && IsShare(c.head_dropout), "dropout: must be at least 0, below 1");
   Require(c.activation == "relu" || c.activation == "leaky_relu",
           "activation: must be relu or leaky_relu");

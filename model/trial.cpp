@@ -96,7 +96,8 @@ const char* SplitName(Split split) {
 }
 
 void ValidateTrial(const Trial& trial, bool with_images) {
-  Require(trial.seed <= kLastCollectionSeed, trial,
+  Require(trial.seed <= kLastRecordedNumber, trial, "numbers of trials are 0 to 999,999,999");
+  Require(!trial.simulated || trial.seed <= kLastCollectionSeed, trial,
           "data sets take seeds 0 to 999,999; later ones are kept for tuning and evaluation");
   Require(trial.outcome == "success" || trial.outcome == "failure", trial,
           "outcome must be success or failure");

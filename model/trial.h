@@ -12,6 +12,9 @@ namespace prospect::model {
 inline constexpr std::uint64_t kFirstCollectionSeed = 0;
 inline constexpr std::uint64_t kLastCollectionSeed = 999'999;
 
+/// Numbers of trials that were recorded on a robot: no scene of a simulator is behind them.
+inline constexpr std::uint64_t kLastRecordedNumber = 999'999'999;
+
 /// The part of a data set that a trial belongs to. For trials that are made it is a fixed function
 /// of the seed, so a trial never moves from one part to another when a data set grows or is packed
 /// anew; data sets of people's videos hold out trials or a person by their masks instead.
@@ -34,8 +37,11 @@ const char* SplitName(Split split);
 /// a function of (seed, frame) and is added by whoever reads them (sim/sensor_noise.h), because
 /// clean images compress ten times better.
 struct Trial {
-  std::uint64_t seed = 0;  ///< the scene and its noise; kFirstCollectionSeed..kLastCollectionSeed
-  std::string name;        ///< where trials have names of their own, such as "Suturing_B001"
+  /// Of what was simulated, the scene and its noise: kFirstCollectionSeed..kLastCollectionSeed.
+  /// Else any number that tells the trial from others, 0..kLastRecordedNumber.
+  std::uint64_t seed = 0;
+  bool simulated = true;
+  std::string name;  ///< where trials have names of their own, such as "Suturing_B001"
   /// The part of the data set that its masks put the trial in; nothing: SplitOf(seed).
   std::optional<Split> split;
   std::string task;     ///< "navigation", ...

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "model/atomic_file.h"
+#include "base/atomic_file.h"
 #include "model/dataset.h"
 #include "model/demo_io.h"
 
@@ -11,7 +11,7 @@ namespace prospect::model {
 
 struct TrialSetWriter::Impl {
   std::string path;
-  AtomicFile target;
+  base::AtomicFile target;
   std::optional<hdf5::Handle> file, data;  // closed before the file takes its name
   std::optional<hdf5::Handle> demo, images;
   Trial shape;
@@ -20,7 +20,7 @@ struct TrialSetWriter::Impl {
   std::int64_t all_frames = 0;
   Parts parts;
 
-  explicit Impl(const std::string& name) : path(name), target(name) {
+  explicit Impl(const std::string& name) : path(name), target(name, base::Rivals::kRefused) {
     file.emplace(hdf5::CreateFile(target.temporary()));
     data.emplace(hdf5::CreateGroup(*file, "data", path));
   }

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
+#include "base/atomic_file.h"
+#include "base/strict_json.h"
 #include "model/hash.h"
 
 namespace prospect::model {
@@ -45,8 +47,13 @@ std::uint64_t HeaderLength(const std::string& path, const std::string& bytes) {
 }
 
 json ParseHeader(const std::string& path, const std::string& bytes, std::uint64_t length) {
-  const json header = json::parse(bytes.begin() + 8, bytes.begin() + 8 + static_cast<long>(length),
-                                  nullptr, /*allow_exceptions=*/false);
+  json header;
+  try {
+    header = base::ParseStrictJson(std::string_view(bytes).substr(8, length));
+  } catch (const base::KeyTwiceError& error) {
+    Refuse(path, std::string("its header names ") + (error.path.size() == 1 ? "tensor '" : "'") +
+                     error.key + "' twice, and which one counts is chance; damaged");
+  }
   if (!header.is_object())
     Refuse(path, "its header is not JSON; damaged, or not a safetensors file");
   return header;
@@ -107,13 +114,32 @@ void RequireNoGaps(const std::string& path, std::vector<Place> places, std::size
   if (at != data_bytes) Refuse(path, "its length does not match its header; truncated?");
 }
 
+// Of an entry of the header that the format gives a fixed type.
+void RequireType(const std::string& path, bool holds, const std::string& what, const json& found,
+                 const char* wanted) {
+  if (holds) return;
+  Refuse(path, what + " is of type " + found.type_name() + ", where " + wanted +
+                   " belongs; damaged, or written by another program");
+}
+
 json MetadataOf(const std::string& path, const json& header) {
-  const json meta = header.value("__metadata__", json::object());
-  if (!meta.is_object() || !meta.contains(kMetadataKey) || !meta[kMetadataKey].is_string()) {
-    Refuse(path, "has no metadata of ours; it was not written by prospect-train");
+  const char* no_metadata = "has no metadata of ours; it was not written by prospect-train";
+  const auto found = header.find("__metadata__");
+  if (found == header.end()) Refuse(path, no_metadata);
+  RequireType(path, found->is_object(), "its '__metadata__'", *found, "an object of texts");
+  for (const auto& [key, value] : found->items())
+    RequireType(path, value.is_string(), "'" + key + "' in its '__metadata__'", value, "a text");
+  if (!found->contains(kMetadataKey)) Refuse(path, no_metadata);
+  json parsed;
+  try {
+    parsed = base::ParseStrictJson(found->at(kMetadataKey).get<std::string>());
+  } catch (const base::KeyTwiceError& error) {
+    Refuse(path, std::string("its metadata ") + error.what() + "; damaged");
   }
-  json parsed = json::parse(meta[kMetadataKey].get<std::string>(), nullptr, false);
-  if (!parsed.is_object()) Refuse(path, "its metadata is damaged");
+  if (parsed.is_discarded()) Refuse(path, "its metadata is damaged");
+  RequireType(path, parsed.is_object(), "what its metadata holds", parsed, "an object");
+  if (parsed.empty())
+    Refuse(path, "its metadata is empty: it does not say what task and network it is of");
   return parsed;
 }
 
@@ -131,17 +157,6 @@ torch::Tensor ToHalf(const std::string& path, const std::string& name,
                      "' has values that 16-bit floats cannot hold; did training diverge?");
   }
   return half;
-}
-
-void WriteAtomically(const std::string& path, const std::string& bytes) {
-  const std::string temporary = path + ".tmp";
-  std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    std::remove(temporary.c_str());
-    Refuse(path, "cannot be written; check the folder and the space on the disk");
-  }
 }
 
 }  // namespace
@@ -184,7 +199,7 @@ void WriteWeights(const std::string& path, const std::map<std::string, torch::Te
   }
   std::string text = header.dump();
   text.resize((text.size() + 7) / 8 * 8, ' ');  // the format aligns the data to 8 bytes
-  WriteAtomically(path, LittleEndian(text.size()) + text + data);
+  base::WriteFile(path, LittleEndian(text.size()) + text + data);
 }
 
 std::uint64_t WeightsFileHash(const std::string& path) { return HashText(ReadBytes(path)); }

@@ -24,12 +24,12 @@ struct WeightsFile {
   std::uint64_t hash = 0;   ///< FNV-1a of all bytes of the file
 };
 
-/// Reads and checks a file: sizes, types, places without gaps or overlaps, a header of at most 16
-/// MB. Throws WeightsError.
+/// Reads and checks a file: names that come once, sizes, types, places without gaps or overlaps, a
+/// header of at most 16 MB. Throws WeightsError.
 WeightsFile ReadWeights(const std::string& path);
 
-/// Writes tensors as 16-bit floats, atomically (temporary name, then renamed). Throws WeightsError
-/// if it cannot, or if a value does not fit 16 bits.
+/// Writes tensors as 16-bit floats, whole or not at all. Throws base::DiskError if it cannot,
+/// WeightsError if a value does not fit 16 bits.
 void WriteWeights(const std::string& path, const std::map<std::string, torch::Tensor>& tensors,
                   const nlohmann::json& metadata);
 

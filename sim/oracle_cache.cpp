@@ -1,8 +1,5 @@
 #include "sim/oracle_cache.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/disk_error.h"
+#include "base/line_file.h"
 #include "planner/tower.h"
 #include "sim/plan_rules.h"
 
@@ -74,17 +73,6 @@ OracleResult FromJson(const json& line) {
   return result;
 }
 
-// One write a line: lines of several processes do not mix.
-void AppendLine(const std::string& path, const std::string& line) {
-  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
-  if (file < 0) throw std::runtime_error("cannot write the oracle's cache " + path);
-  const ssize_t written = write(file, line.data(), line.size());
-  close(file);
-  if (written != static_cast<ssize_t>(line.size())) {
-    throw std::runtime_error("cannot write the oracle's cache " + path + ": is the disk full?");
-  }
-}
-
 }  // namespace
 
 OracleKey OracleKeyOf(const Task& task, int objects) {
@@ -101,7 +89,7 @@ OracleCache::OracleCache(OracleKey key, std::string directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
-    throw std::runtime_error("cannot make " + directory + " for the oracle's cache (" +
+    throw base::DiskError("cannot make " + directory + " for the oracle's cache (" +
                              error.message() + "): set PROSPECT_DATA to a folder you may write to");
   }
   path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
@@ -132,7 +120,7 @@ std::optional<OracleResult> OracleCache::Find(std::uint64_t scene_seed) const {
 
 void OracleCache::Store(std::uint64_t scene_seed, const OracleResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  AppendLine(path_, ToJson(scene_seed, result).dump() + "\n");
+  base::AppendLine(path_, ToJson(scene_seed, result).dump());
   results_[scene_seed] = result;
 }
 

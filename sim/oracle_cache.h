@@ -32,7 +32,7 @@ OracleKey OracleKeyOf(const Task& task, int objects);
 class OracleCache {
  public:
   // `directory` is made if need be. Empty: $PROSPECT_DATA/oracle, or ~/.cache/prospect/oracle if
-  // that is not set. Throws std::runtime_error if it cannot be made.
+  // that is not set. Throws base::DiskError if it cannot be made.
   explicit OracleCache(OracleKey key, std::string directory = "");
 
   std::optional<OracleResult> Find(std::uint64_t scene_seed) const;

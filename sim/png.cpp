@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <string>
+
+#include "base/atomic_file.h"
 
 namespace prospect::sim {
 
@@ -15,9 +18,17 @@ void WritePng(const std::string& path, const Image& image) {
   header.width = static_cast<png_uint_32>(image.width);
   header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&header, path.c_str(), 0, image.rgb.data(), 0, nullptr) == 0) {
-    throw std::runtime_error("cannot write " + path + ": " + header.message);
+  png_alloc_size_t size = 0;
+  std::string png;
+  for (const bool sized : {false, true}) {  // asked for the size first
+    if (sized) png.resize(size);
+    if (png_image_write_to_memory(&header, sized ? png.data() : nullptr, &size, 0, image.rgb.data(),
+                                  0, nullptr) == 0) {
+      throw std::runtime_error("cannot make the picture " + path + ": " + header.message);
+    }
   }
+  png.resize(size);
+  base::WriteFile(path, png);
 }
 
 Image Enlarge(const Image& image, int factor) {

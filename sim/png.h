@@ -6,8 +6,8 @@
 
 namespace prospect::sim {
 
-// PNG files for people to look at (libpng). Throws std::runtime_error naming the file and the
-// cause.
+// PNG files for people to look at (libpng), whole or not at all. Throws base::DiskError naming the
+// file and the cause.
 void WritePng(const std::string& path, const Image& image);
 
 // Every pixel repeated factor x factor times (factor >= 1).

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "base/json_file.h"
 #include "sim/random.h"
 #include "sim/rollout.h"
 #include "sim/stacking/action_table.h"
 #include "sim/stacking/stacking_task.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/json_file.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
 
@@ -133,10 +133,12 @@ json Row(double noise, const std::vector<Pair>& pairs, const Options& options) {
       return sim::RunPlan(*task, PlanOf(pairs[i], blocks), nullptr).reason;
     };
   };
-  tools::ForkMap(scenes, options.jobs, make_work, [&](int, const std::string& reason) {
-    reason.empty() ? ++successes : ++failures[reason];
-    progress.Step();
-  });
+  const tools::Extent extent =
+      tools::ForkMap(scenes, options.jobs, make_work, [&](int, const std::string& reason) {
+        reason.empty() ? ++successes : ++failures[reason];
+        progress.Step();
+      });
+  if (extent.stopped()) throw tools::Interrupted(extent.Words("picks"));
   const tools::Share share = tools::ShareOf(successes, scenes);
   return {{"noise", noise},       {"scenes", scenes}, {"successes", successes},
           {"share", share.value}, {"low", share.low}, {"high", share.high},
@@ -162,7 +164,7 @@ void Run(const Options& options) {
     Print(rows.back());
   }
   if (options.json_file.empty()) return;
-  tools::WriteJsonFile(options.json_file, {{"clearance", options.clearance}, {"rows", rows}});
+  base::WriteJsonFile(options.json_file, {{"clearance", options.clearance}, {"rows", rows}});
 }
 
 }  // namespace

@@ -6,4 +6,4 @@ add_executable(prospect-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench_search.cpp
                               ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulated_arms.cpp
                               ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulated_bus.cpp)
 prospect_target(prospect-bench)
-target_link_libraries(prospect-bench PRIVATE prospect_planner nlohmann_json::nlohmann_json Threads::Threads)
+target_link_libraries(prospect-bench PRIVATE prospect_base prospect_planner nlohmann_json::nlohmann_json Threads::Threads)

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "planner/scripted_model.h"
 #include "planner/search.h"
 #include "tools/bench/cpu_clock.h"
@@ -182,9 +183,7 @@ void Print(const json& report) {
 
 void Write(const std::string& file, const std::string& text) {
   if (file.empty()) return;
-  std::ofstream out(file);
-  out << text;
-  if (!out) throw std::runtime_error("cannot write " + file);
+  base::WriteFile(file, text);
 }
 
 }  // namespace
@@ -208,6 +207,9 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "prospect-bench: %s\n", error.what());
     return 2;
+  } catch (const base::DiskError& error) {
+    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
+    return 13;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prospect-bench: %s\n", error.what());
     return 1;

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/json_file.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 #include "sim/task_factory.h"
 #include "tools/bench/cpu_clock.h"
-#include "tools/common/json_file.h"
 #include "tools/common/program.h"
 
 namespace {
@@ -127,7 +127,7 @@ void Run(const Options& options) {
   for (const std::string& task : options.tasks) rows.push_back(Row(task, options));
   Print(rows);
   if (options.json_file.empty()) return;
-  tools::WriteJsonFile(options.json_file, {{"rows", rows}});
+  base::WriteJsonFile(options.json_file, {{"rows", rows}});
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_file.h"
 #include "tools/bench/train_bench.h"
-#include "tools/common/json_file.h"
 #include "tools/common/program.h"
 
 namespace {
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   return prospect::tools::RunProgram("prospect bench train", &app, argc, argv, [&] {
     const json figures = prospect::tools::BenchTraining(options);
     Print(figures);
-    if (!json_file.empty()) prospect::tools::WriteJsonFile(json_file, figures);
+    if (!json_file.empty()) prospect::base::WriteJsonFile(json_file, figures);
     return 0;
   });
 }

@@ -7,11 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_file.h"
 #include "model/dataset.h"
 #include "tools/collect/collector.h"
 #include "tools/collect/gesture_videos.h"
 #include "tools/common/causes.h"
-#include "tools/common/json_file.h"
+#include "tools/common/extent.h"
 
 namespace {
 
@@ -113,7 +114,7 @@ void Print(const tools::CollectOptions& options, const tools::CollectSummary& su
 int Run(const tools::CollectOptions& options, const std::string& json_file) {
   const tools::CollectSummary summary = tools::Collect(options);
   Print(options, summary);
-  if (!json_file.empty()) tools::WriteJsonFile(json_file, Report(options, summary));
+  if (!json_file.empty()) base::WriteJsonFile(json_file, Report(options, summary));
   return 0;
 }
 
@@ -140,14 +141,14 @@ int RunVideos(const CLI::App& app, const Options& all) {
   tools::PrintCauses(summary.failures, summary.trials, stdout);
   std::printf("%.0f s of video in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
   if (all.json_file.empty()) return 0;
-  tools::WriteJsonFile(all.json_file, {{"task", options.task},
-                                       {"trials", summary.trials},
-                                       {"kept", summary.kept},
-                                       {"reasons", summary.failures},
-                                       {"frames", summary.frames},
-                                       {"simulated_seconds", summary.simulated_seconds},
-                                       {"wall_seconds", summary.wall_seconds},
-                                       {"out", videos.out}});
+  base::WriteJsonFile(all.json_file, {{"task", options.task},
+                                      {"trials", summary.trials},
+                                      {"kept", summary.kept},
+                                      {"reasons", summary.failures},
+                                      {"frames", summary.frames},
+                                      {"simulated_seconds", summary.simulated_seconds},
+                                      {"wall_seconds", summary.wall_seconds},
+                                      {"out", videos.out}});
   return 0;
 }
 
@@ -172,6 +173,8 @@ int main(int argc, char** argv) {
     return Run(options.collect, options.json_file);
   } catch (const tools::CollectUsageError& error) {
     return Refuse(error, 2);
+  } catch (const tools::Interrupted& error) {
+    return Refuse(error, tools::kExitInterrupted);
   } catch (const model::DataError& error) {
     return Refuse(error, 14);
   } catch (const std::exception& error) {

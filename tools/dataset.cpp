@@ -16,9 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.h"
+#include "base/json_file.h"
 #include "model/dataset.h"
 #include "sim/png.h"
-#include "tools/common/json_file.h"
 #include "tools/dataset/info.h"
 #include "tools/dataset/sheet.h"
 
@@ -33,7 +34,7 @@ int Info(const std::string& path, const std::string& json_file) {
   const tools::DataSetInfo info = tools::Inspect(model::TrialFile(path));
   tools::PrintInfo(info, stdout);
   if (json_file.empty()) return 0;
-  tools::WriteJsonFile(json_file, tools::InfoJson(info));
+  base::WriteJsonFile(json_file, tools::InfoJson(info));
   return 0;
 }
 
@@ -46,7 +47,8 @@ std::vector<std::string> Expand(const std::vector<std::string>& inputs) {
       continue;
     }
     for (const auto& entry : fs::directory_iterator(input)) {
-      if (entry.path().extension() == ".h5") files.push_back(entry.path().string());
+      const bool hidden = entry.path().filename().string().front() == '.';  // half written
+      if (!hidden && entry.path().extension() == ".h5") files.push_back(entry.path().string());
     }
   }
   return files;
@@ -118,6 +120,17 @@ int RunGuarded(const CLI::App& app, const Arguments& a) {
   }
 }
 
+// What a child that crashed left of the data set it wrote: whoever takes the same name next,
+// removes it.
+void RemoveHalf(const std::string& out) {
+  if (out.empty()) return;
+  try {
+    const base::AtomicFile abandoned(out);
+  } catch (const base::DiskError&) {
+    // Then nothing was begun.
+  }
+}
+
 // libhdf5 crashes on some damaged files (its H5Ocopy above all), so that a child does the work.
 int RunApart(const CLI::App& app, const Arguments& a) {
   const pid_t child = fork();
@@ -132,7 +145,7 @@ int RunApart(const CLI::App& app, const Arguments& a) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFEXITED(status)) return WEXITSTATUS(status);
-  std::remove(model::TemporaryName(a.out, child).c_str());
+  RemoveHalf(a.out);
   std::fprintf(
       stderr,
       "prospect-dataset: libhdf5 was stopped by '%s' on a damaged file: leave out files in "

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_file.h"
 #include "sim/oracle_cache.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
@@ -18,7 +19,6 @@
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/json_file.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
@@ -115,7 +115,7 @@ void Add(const json& scene, Totals* totals) {
 
 // Keys: task, scenes, first_seed, objects, legs, random_failure_share, causes (reason: share of all
 // random runs), solvable, hopeless, doubtful (count, share, low, high), oracle_success,
-// seconds_per_scene, times_real_time, times_real_time_camera.
+// seconds_per_scene, times_real_time, times_real_time_camera, stopped, wanted (scenes).
 json Report(const Options& options, const Totals& totals, double seconds) {
   json report = {{"task", options.task},
                  {"scenes", totals.scenes},
@@ -180,17 +180,20 @@ int Run(const Options& options) {
   Totals totals;
   tools::Progress progress("scenes", options.scenes);
   const auto start = std::chrono::steady_clock::now();
-  tools::ForkMap(
+  const tools::Extent extent = tools::ForkMap(
       options.scenes, options.jobs, [&] { return MakeWorker(options); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &totals);
         progress.Step();
       });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const json report = Report(options, totals, seconds.count());
+  if (totals.scenes == 0) throw tools::Interrupted(extent.Words("scenes"));
+  json report = Report(options, totals, seconds.count());
+  extent.Put(&report);
   Print(report);
-  if (!options.json_file.empty()) tools::WriteJsonFile(options.json_file, report);
-  return 0;
+  std::printf("%s", extent.Line("scenes").c_str());
+  if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, report);
+  return extent.exit_code();
 }
 
 }  // namespace

@@ -4,13 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
+#include "base/lock.h"
+#include "base/stop_signals.h"
 #include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
+#include "tools/common/extent.h"
 #include "tools/common/guarded.h"
 #include "tools/common/progress.h"
 #include "tools/tables/report.h"
@@ -57,6 +60,8 @@ void AddOptions(CLI::App* app, Arguments* a) {
       ->capture_default_str();
 }
 
+constexpr int kBaselines = 3;  // rows
+
 struct Candidate {
   std::string name;  // as the row is called
   std::string path;  // of its weights file; empty = not trained
@@ -91,7 +96,8 @@ LoadedModel Load(const std::string& path, const std::string& task) {
 
 class Tables {
  public:
-  explicit Tables(const Arguments& a) : a_(a), candidates_(CandidatesOf(a)) {
+  explicit Tables(const Arguments& a)
+      : a_(a), own_(base::LockFolder(a.out)), candidates_(CandidatesOf(a)) {
     for (const Candidate& candidate : candidates_) {
       if (!candidate.path.empty() && first_.empty()) first_ = candidate.path;
     }
@@ -109,15 +115,24 @@ class Tables {
     at::set_num_threads(1);  // trials are the parallelism
   }
 
-  void Run() {
+  // @return the exit code
+  int Run() {
     const LoadedModel first = Load(first_, a_.task);
     if (!a_.judge.empty()) {
       judge_ = first.networks.second_classifier;
       model::LoadModule(a_.judge, "second_classifier", judge_.ptr().get());
     }
-    AddBaselines(first.networks);
-    for (const Candidate& candidate : candidates_) AddModel(candidate);
-    Write();
+    // Of a row that is stopped nothing is kept; the rows before it are in the tables.
+    try {
+      AddBaselines(first.networks);
+      for (const Candidate& candidate : candidates_) AddModel(candidate);
+    } catch (const Interrupted&) {
+    }
+    const Extent extent{static_cast<int>(lines_.size()),
+                        static_cast<int>(candidates_.size()) + kBaselines};
+    if (lines_.empty()) throw Interrupted(extent.Words("rows") + "; no tables were written");
+    Write(extent);
+    return extent.exit_code();
   }
 
  private:
@@ -139,7 +154,8 @@ class Tables {
     const std::string key = KeyOf(what, weights);
     return CachedRows(a_.out + "/rows/" + key + ".json", key, [&] {
       std::unique_ptr<Progress> bar;
-      return make([&](int /*done*/, int total) {
+      return make([&](int done, int total) {
+        if (base::StopRequested() && done < total) throw Interrupted("stopped within " + what);
         if (!bar) bar = std::make_unique<Progress>("trials of " + what, total);
         bar->Step();
       });
@@ -194,34 +210,33 @@ class Tables {
   }
 
   // Whom the others are compared with: L1 (two linked steps, nothing else), else the first trained.
-  const Line& Reference() const {
+  // Null: none was scored, as after a stop.
+  const Line* Reference() const {
     const Line* first = nullptr;
     for (const Line& line : lines_) {
       if (!line.is_model || !line.row) continue;
-      if (line.name == "L1") return line;
+      if (line.name == "L1") return &line;
       if (first == nullptr) first = &line;
     }
-    return *first;  // the constructor saw to it that there is one
+    return first;
   }
 
-  void Write() const {
-    std::string text = "# Predicted pictures\n\n" + Caption() + "\n## Successful trials only\n\n" +
-                       MarkdownTable(lines_, true) + "\n## All trials\n\n" +
-                       MarkdownTable(lines_, false);
-    const std::string differences = DifferencesTable(lines_, Reference());
+  void Write(const Extent& extent) const {
+    std::string text = "# Predicted pictures\n\n" + Caption() +
+                       (extent.stopped() ? "\n**" + extent.Words("rows") + "**\n" : "") +
+                       "\n## Successful trials only\n\n" + MarkdownTable(lines_, true) +
+                       "\n## All trials\n\n" + MarkdownTable(lines_, false);
+    const Line* reference = Reference();
+    const std::string differences =
+        reference == nullptr ? "" : DifferencesTable(lines_, *reference);
     if (!differences.empty()) text += "\n## Differences, on the same trials\n\n" + differences;
-    WriteText(a_.out + "/tables.md", text);
-    WriteText(a_.out + "/tables.csv", CsvTables(lines_));
+    base::WriteFile(a_.out + "/tables.md", text);
+    base::WriteFile(a_.out + "/tables.csv", CsvTables(lines_));
     std::printf("%s\n%s/tables.md and tables.csv\n", text.c_str(), a_.out.c_str());
   }
 
-  static void WriteText(const std::string& path, const std::string& text) {
-    std::ofstream out(path);
-    out << text;
-    if (!out.flush()) throw std::runtime_error(path + ": cannot be written; is the disk full?");
-  }
-
   Arguments a_;
+  base::Lock own_;  // of the folder
   std::vector<Candidate> candidates_;
   std::string first_;  // weights file of the first row that is trained
   std::string data_hash_;
@@ -243,7 +258,7 @@ int main(int argc, char** argv) {
     return code == 0 ? 0 : prospect::tools::kExitUsage;
   }
   return prospect::tools::Guarded("prospect-tables", [&] {
-    prospect::tools::Tables(arguments).Run();
-    return 0;
+    prospect::base::InstallStopSignals();
+    return prospect::tools::Tables(arguments).Run();
   });
 }

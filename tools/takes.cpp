@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/json_file.h"
 #include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/random_plan.h"
@@ -151,11 +151,8 @@ int Tell(const Options& o, const Takes& takes) {
       {"scenes", o.scenes},
       {"x1", {{"mae", takes.one().mean()}, {"pairs", takes.one().samples}}},
       {"x2", {{"mae", takes.two().mean()}, {"pairs", takes.two().samples}}}};
-  std::ofstream out(o.json_file);
-  out << json.dump(2) << '\n';
-  if (out.flush()) return 0;
-  std::fprintf(stderr, "prospect-takes: %s: cannot be written\n", o.json_file.c_str());
-  return kExitDisk;
+  base::WriteJsonFile(o.json_file, json);
+  return 0;
 }
 
 int Main(const Options& options) {
@@ -166,6 +163,9 @@ int Main(const Options& options) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "prospect-takes: %s\n", error.what());
     return kExitUsage;
+  } catch (const base::DiskError& error) {
+    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
+    return kExitDisk;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "prospect-takes: %s\n", error.what());
     return kExitFailed;

@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "base/json_file.h"
+#include "base/strict_json.h"
 #include "model/dataset.h"
+#include "model/training/config_choices.h"
 #include "model/training/export.h"
 #include "model/training/recipe.h"
 #include "model/training/scores.h"
@@ -25,16 +28,10 @@ struct Arguments {
   std::string config_file;
   std::string json_file;
   std::string scored_weights;
-  std::int64_t iterations = 0;
-  std::int64_t seed = -1;
+  model::ConfigChoices choices;
   std::vector<std::string> stages;
   std::vector<std::string> fresh;
-  std::string recipe = "best";
-  std::vector<std::string> without;
-  bool finetune = false;
   std::string bundle;
-  std::string precision;
-  std::string labels;
   bool print_config = false;
 };
 
@@ -57,17 +54,17 @@ void AddOptions(CLI::App* app, Arguments* a) {
       "--out", a->options.folder,
       "folder for checkpoints and caches; weights and curves.csv go there, too, with --variant "
       "into a folder of that name inside");
-  app->add_option("--iterations", a->iterations,
+  app->add_option("--iterations", a->choices.iterations,
                   "iterations of the transform network; the other stages scale with it")
       ->check(CLI::PositiveNumber);
   app->add_option("--variant", a->options.variant, VariantHelp());
-  app->add_option("--recipe", a->recipe,
+  app->add_option("--recipe", a->choices.recipe,
                   "best: what a task turns on beyond the paper; paper: none of it, T updated as "
                   "often")
       ->check(CLI::IsMember({"paper", "best"}))
       ->capture_default_str();
-  app->add_option("--without", a->without, StepHelp())->delimiter(',');
-  app->add_flag("--finetune", a->finetune,
+  app->add_option("--without", a->choices.without, StepHelp())->delimiter(',');
+  app->add_flag("--finetune", a->choices.finetune,
                 "let encoder and decoder learn on with the transform network");
   app->add_option("--device", a->options.device, "cpu or cuda")
       ->check(CLI::IsMember({"cpu", "cuda"}));
@@ -76,16 +73,16 @@ void AddOptions(CLI::App* app, Arguments* a) {
                   "with --from: networks of these stages (as of --stage) begin from random weights "
                   "all the same")
       ->delimiter(',');
-  app->add_option("--seed", a->seed, "seed of first weights, batches and dropout")
+  app->add_option("--seed", a->choices.seed, "seed of first weights, batches and dropout")
       ->check(CLI::NonNegativeNumber);
   app->add_option("--config", a->config_file,
                   "JSON with the options to change (see --print-config)")
       ->check(CLI::ExistingFile);
-  app->add_option("--precision", a->precision,
+  app->add_option("--precision", a->choices.precision,
                   "float32, or mixed: convolutions in 16-bit bfloat, about twice as fast on CUDA "
                   "and on processors with AVX512-BF16")
       ->check(CLI::IsMember({"float32", "mixed"}));
-  app->add_option("--labels", a->labels,
+  app->add_option("--labels", a->choices.labels,
                   "what V, Q, p and f are taught: paper, or authors: as their code does it")
       ->check(CLI::IsMember({"paper", "authors"}));
   app->add_option("--threads", a->options.threads, "CPU threads")->check(CLI::Range(1, 256));
@@ -102,24 +99,16 @@ void AddOptions(CLI::App* app, Arguments* a) {
   app->add_flag("--print-config", a->print_config, "print the configuration and stop");
 }
 
-model::TrainConfig ConfigOf(const Arguments& a) {
-  model::TrainConfig config = model::TrainConfigFor(a.options.task);
-  if (!a.config_file.empty()) {
-    std::ifstream in(a.config_file);
-    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
-    if (json.is_discarded()) throw std::invalid_argument(a.config_file + ": is not JSON");
-    json.get_to(config);
+// Of --config FILE.
+nlohmann::json ReadChanges(const std::string& path) {
+  std::ifstream in(path);
+  try {
+    nlohmann::json changes = base::ParseStrictJson(in);
+    if (changes.is_discarded()) throw std::invalid_argument(path + ": is not JSON");
+    return changes;
+  } catch (const base::KeyTwiceError& error) {
+    throw std::invalid_argument(path + ": " + error.what());
   }
-  model::ApplyRecipe(a.recipe, &config);
-  for (const std::string& step : a.without) model::LeaveOut(step, &config);
-  if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
-  // Last, so that all variants share what comes before T, whatever they change of T's iterations.
-  if (!a.options.variant.empty()) model::ApplyVariant(a.options.variant, &config);
-  if (a.finetune) config.finetune = true;
-  if (!a.precision.empty()) config.precision = a.precision;
-  if (!a.labels.empty()) config.labels = a.labels;
-  if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
-  return config;
 }
 
 nlohmann::json ScoresOf(const Arguments& a, const model::Trainer& trainer) {
@@ -129,9 +118,7 @@ nlohmann::json ScoresOf(const Arguments& a, const model::Trainer& trainer) {
 void Tell(const Arguments& a, const nlohmann::json& scores) {
   model::PrintScores(scores);
   if (a.json_file.empty()) return;
-  std::ofstream out(a.json_file);
-  out << scores.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error(a.json_file + ": cannot be written");
+  base::WriteJsonFile(a.json_file, scores);
 }
 
 void Finish(const Arguments& a, const model::Trainer& trainer) {
@@ -158,7 +145,10 @@ int ScoreOnly(const Arguments& a) {
 }
 
 int Run(Arguments a) {
-  const model::TrainConfig config = ConfigOf(a);
+  a.choices.task = a.options.task;
+  a.choices.variant = a.options.variant;
+  if (!a.config_file.empty()) a.choices.changes = ReadChanges(a.config_file);
+  const model::TrainConfig config = model::ConfigOf(a.choices);
   if (a.print_config) {
     std::printf("%s\n", nlohmann::json(config).dump(2).c_str());
     return 0;

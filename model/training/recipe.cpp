@@ -41,7 +41,10 @@ const std::vector<Entry>& Entries() {
       {{"mask", "T keeps numbers of the state it began from where a mask says so"},
        [](TrainConfig* c) { c->network.transform_mask = false; }},
       {{"pictures", "the picture loss of T outweighs landmarks and f"},
-       [](TrainConfig* c) { c->lambda /= c->picture_weight, c->picture_weight = 1; }},
+       [](TrainConfig* c) {
+         if (c->picture_weight > 0) c->lambda /= c->picture_weight;  // else C's weight is its own
+         c->picture_weight = 1;
+       }},
       {{"done", "a head like f on T's states, passed on to T"},
        [](TrainConfig* c) { c->done_weight = 0; }},
       {{"imagined", "V, Q, p and f learn on imagined states, too"},

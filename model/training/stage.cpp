@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/atomic_file.h"
+#include "base/line_file.h"
 #include "model/hash.h"
 #include "model/networks/blocks.h"
 #include "model/networks/precision.h"
@@ -56,12 +58,6 @@ struct Means {
   }
 };
 
-[[noreturn]] void FailToWrite(const std::string& path) {
-  throw std::runtime_error(path +
-                           ": cannot be written; check the folder and the space on the disk, then "
-                           "train again: it goes on from the last checkpoint");
-}
-
 /// The rows of DIR/curves.csv: stage,iteration,name,value. After a resume, rows of iterations that
 /// will be computed again are dropped first.
 class Curves {
@@ -72,12 +68,13 @@ class Curves {
   }
   void Write(std::int64_t iteration,
              const std::vector<std::pair<std::string, double>>& means) const {
-    std::ofstream out(path_, std::ios::app);
+    std::ostringstream rows;
+    const char* between = "";
     for (const auto& [name, value] : means) {
-      out << stage_ << ',' << iteration << ',' << name << ',' << value << '\n';
+      rows << std::exchange(between, "\n") << stage_ << ',' << iteration << ',' << name << ','
+           << value;
     }
-    out.close();
-    if (!out) FailToWrite(path_);
+    base::AppendLine(path_, rows.str());
   }
 
  private:
@@ -94,12 +91,7 @@ class Curves {
     while (std::getline(in, line)) {
       if (Keeps(line, keep_to)) kept += line + "\n";
     }
-    in.close();
-    std::ofstream out(path_ + ".tmp");
-    out << kept;
-    out.close();
-    if (!out) FailToWrite(path_);
-    fs::rename(path_ + ".tmp", path_);
+    base::WriteFile(path_, kept);
   }
 
   std::string path_;
@@ -146,14 +138,7 @@ class StageFile {
     // By way of memory: libtorch ends the process when it cannot write a file.
     std::ostringstream bytes;
     archive.save_to(bytes);
-    std::ofstream out(path + ".tmp", std::ios::binary);
-    out << bytes.str();
-    out.close();
-    if (!out) {
-      fs::remove(path + ".tmp");
-      FailToWrite(path);
-    }
-    fs::rename(path + ".tmp", path);
+    base::WriteFile(path, bytes.str());
   }
 
   /// What is stored; iteration -1 if there is no such file, it does not open, or it is of another

@@ -14,8 +14,17 @@ void Require(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
+constexpr std::int64_t kMostIterations = 1'000'000'000;
+constexpr double kMostWeight = 1e6;  // beside which nothing else in a loss would count
+
+/// Not true of what is no number, either.
+void RequireWeight(double weight, const std::string& name) {
+  Require(weight >= 0 && weight <= kMostWeight, name + ": must be 0 to 1,000,000");
+}
+
 void ValidateStage(const StageConfig& stage, const std::string& name) {
-  Require(stage.iterations >= 0, name + ".iterations: must not be negative");
+  Require(stage.iterations >= 0 && stage.iterations <= kMostIterations,
+          name + ".iterations: must be 0 to 1,000,000,000");
   Require(stage.batch >= 1 && stage.batch <= 4096, name + ".batch: must be 1 to 4096");
   Require(stage.learning_rate > 0 && stage.learning_rate < 1,
           name + ".learning_rate: must be above 0, below 1");
@@ -123,7 +132,8 @@ TrainConfig TrainConfigFor(const std::string& task) {
 
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
   const std::int64_t now = config->transform_hidden.iterations + config->transform_image.iterations;
-  Require(now > 0 && transform_iterations > 0, "iterations: must be positive");
+  Require(now > 0 && transform_iterations > 0 && transform_iterations <= kMostIterations,
+          "iterations: must be 1 to 1,000,000,000");
   for (StageConfig* stage : {&config->classifier, &config->encoder_decoder,
                              &config->transform_hidden, &config->transform_image, &config->heads}) {
     const std::int64_t scaled = stage->iterations * transform_iterations / now;
@@ -146,23 +156,27 @@ void Validate(const TrainConfig& c) {
           "augment: dihedral needs square pictures");
   Require(c.hidden_variants >= 1 && c.hidden_variants <= (c.augment == "none" ? 1 : 8),
           "hidden_variants: must be 1, or up to 8 with an augment");
-  Require(c.focus >= 0, "focus: must not be negative");
-  Require(c.gain_weight >= 0, "gain_weight: must not be negative");
-  Require(c.landmark_weight >= 0, "landmark_weight: must not be negative");
+  RequireWeight(c.focus, "focus");
+  RequireWeight(c.gain_weight, "gain_weight");
+  RequireWeight(c.landmark_weight, "landmark_weight");
   Require(c.linked_steps >= 1 && c.linked_steps <= 9, "linked_steps: must be 1 to 9");
   Require(c.linked_from >= 0 && c.linked_from <= c.linked_steps,
           "linked_from: must be 0 to linked_steps");
-  Require(c.lambda >= 0, "lambda: must not be negative");
-  Require(c.picture_weight >= 0, "picture_weight: must not be negative");
+  RequireWeight(c.lambda, "lambda");
+  RequireWeight(c.picture_weight, "picture_weight");
   Require(c.adversary == "none" || c.adversary == "pix2pix" || c.adversary == "wgan",
           "adversary: must be none, pix2pix or wgan");
   Require(c.adversary == "none" || c.linked_steps >= 2,
           "adversary: needs linked_steps of 2 at least");
   Require(c.judge_steps >= 1 && c.judge_steps <= 1000, "judge_steps: must be 1 to 1000");
-  Require(c.judge_clip > 0 && c.judge_rate > 0, "judge_clip, judge_rate: must be above 0");
+  Require(c.judge_clip > 0 && c.judge_clip <= kMostWeight && c.judge_rate > 0 &&
+              c.judge_rate <= kMostWeight,
+          "judge_clip, judge_rate: must be above 0, at most 1,000,000");
   Require(c.start_share >= 0 && c.start_share <= 1, "start_share: must be 0 to 1");
   Require(c.imagined_share >= 0 && c.imagined_share <= 1, "imagined_share: must be 0 to 1");
-  Require(c.inside_weight >= 0, "inside_weight: must not be negative");
+  RequireWeight(c.inside_weight, "inside_weight");
+  RequireWeight(c.done_weight, "done_weight");
+  RequireWeight(c.checkpoint_seconds, "checkpoint_seconds");
   Require(c.labels == "paper" || c.labels == "authors", "labels: must be paper or authors");
   ValidateStage(c.classifier, "classifier");
   ValidateStage(c.encoder_decoder, "encoder_decoder");

@@ -114,7 +114,7 @@ TrainConfig TrainConfigFor(const std::string& task);
 /// Scales the iterations of every stage so that T's (hidden + image) become `transform_iterations`.
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config);
 
-/// Throws std::invalid_argument naming the field that is out of range.
+/// Throws std::invalid_argument naming the field that is out of range or no number.
 void Validate(const TrainConfig& config);
 
 void to_json(nlohmann::json& json, const StageConfig& config);

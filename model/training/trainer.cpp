@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "base/lock.h"
 #include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/heads_stage.h"
@@ -196,6 +198,7 @@ std::string CachePath(const TrainOptions& options, const std::string& name,
 }  // namespace
 
 struct Trainer::Impl {
+  base::Lock own;  // of the folder: another run would write the same checkpoints
   TrainConfig config;
   TrainOptions options;
   TrialFile file;
@@ -210,7 +213,8 @@ struct Trainer::Impl {
   std::vector<std::string> curves;  // files, in the order of `stages`
 
   Impl(const TrainConfig& c, const TrainOptions& o)
-      : config(c),
+      : own(base::LockFolder(o.folder)),
+        config(c),
         options(o),
         file(o.data),
         samples(ReadSamplesFor(file, c, o)),
@@ -373,10 +377,7 @@ struct Trainer::Impl {
       std::getline(in, line);  // the heading
       while (std::getline(in, line)) text += line + "\n";
     }
-    const std::string path = WeightsFolder() + "/curves.csv";
-    std::ofstream out(path);
-    out << text;
-    if (!out.flush()) throw std::runtime_error(path + ": cannot be written; is the disk full?");
+    base::WriteFile(WeightsFolder() + "/curves.csv", text);
   }
 
   void TrainClassifier(const std::string& name, Classifier classifier) {

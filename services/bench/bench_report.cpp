@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <sstream>
+
+#include "base/atomic_file.h"
 
 namespace prospect::services {
 namespace {
@@ -111,7 +113,7 @@ std::string TableLine(const json& row) {
 }
 
 void WriteCsv(const std::string& path, const json& rows) {
-  std::ofstream file(path);
+  std::ostringstream file;
   const char* comma = "";
   for (const auto& [key, value] : rows.at(0).items()) file << comma << key, comma = ",";
   for (const auto& row : rows) {
@@ -120,7 +122,7 @@ void WriteCsv(const std::string& path, const json& rows) {
     for (const auto& [key, value] : row.items()) file << comma << value, comma = ",";
   }
   file << '\n';
-  if (!file.flush()) throw ExitError(kExitDisk, "cannot write " + path);
+  base::WriteFile(path, file.str());
 }
 
 }  // namespace prospect::services

@@ -9,12 +9,12 @@
 #include <iostream>
 #include <tuple>
 
+#include "base/json_file.h"
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_loop.h"
 #include "services/bench/plot.h"
 #include "services/bench/search_bench.h"
 #include "services/common/common_options.h"
-#include "services/common/json_file.h"
 #include "services/common/signals.h"
 #include "services/model/engine_choice.h"
 
@@ -147,7 +147,7 @@ void WriteFiles(const Options& options, const json& rows) {
                        {"samples", bench.samples},
                        {"leaves", bench.leaves},
                        {"rows", rows}};
-  if (!options.json_file.empty()) WriteJsonFile(options.json_file, report);
+  if (!options.json_file.empty()) prospect::base::WriteJsonFile(options.json_file, report);
   if (!options.csv_file.empty()) WriteCsv(options.csv_file, rows);
   if (!options.plot_file.empty()) {
     WritePlot(options.plot_file, rows,

@@ -5,8 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "services/common/exit_codes.h"
-#include "services/common/run_main.h"
+#include "base/atomic_file.h"
 
 namespace prospect::services {
 namespace {
@@ -90,13 +89,9 @@ void WritePlot(const std::string& path, const json& rows, const std::string& tit
   Write(&sheet, title, {kLeft, 24}, 0.48);
   Write(&sheet, "rollouts a second; grey: in proportion to the workers", {kLeft, 44}, 0.38);
   Write(&sheet, "planner workers", {kWidth / 2 - 50, kHeight - 14});
-  bool written = false;
-  try {
-    written = cv::imwrite(path, sheet);
-  } catch (const cv::Exception&) {
-    written = false;
-  }
-  if (!written) throw ExitError(kExitDisk, "cannot write " + path);
+  std::vector<unsigned char> png;
+  cv::imencode(".png", sheet, png);
+  base::WriteFile(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 }  // namespace prospect::services

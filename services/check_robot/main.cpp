@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/json_file.h"
 #include "services/check_robot/robot_check.h"
 #include "services/common/common_options.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 
 namespace {
@@ -36,7 +36,8 @@ int Report(const std::vector<RobotFinding>& findings, const std::string& json_fi
         {{"rule", finding.rule}, {"verdict", Word(finding.verdict)}, {"detail", finding.detail}});
   }
   std::printf("%d of %zu rules broken\n", faults, findings.size());
-  if (!json_file.empty()) WriteJsonFile(json_file, {{"faults", faults}, {"rows", rows}});
+  if (!json_file.empty())
+    prospect::base::WriteJsonFile(json_file, {{"faults", faults}, {"rows", rows}});
   return faults == 0 ? kExitSuccess : kExitTaskFailure;
 }
 

@@ -3,9 +3,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <fstream>
 
+#include "base/atomic_file.h"
 #include "services/common/ids.h"
 #include "services/common/run_main.h"
 
@@ -38,17 +38,9 @@ std::string& InstanceFile() {
   return path;
 }
 
-// Renamed when whole: a health check may read at any moment.
+// Whole: a health check may read at any moment.
 void WriteInstanceFile(std::int64_t id) {
-  const std::string& path = InstanceFile();
-  if (path.empty()) return;
-  const std::string part = path + ".part";
-  std::ofstream file(part);
-  file << id << "\n";
-  file.close();
-  if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
-    throw ExitError(kExitDisk, path + " cannot be written: check its folder");
-  }
+  if (!InstanceFile().empty()) base::WriteFile(InstanceFile(), std::to_string(id) + "\n");
 }
 
 }  // namespace

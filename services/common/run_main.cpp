@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "base/disk_error.h"
+
 namespace prospect::services {
 
 int RunMain(const std::function<int()>& body) {
@@ -11,6 +13,9 @@ int RunMain(const std::function<int()>& body) {
   } catch (const ExitError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return error.code();
+  } catch (const base::DiskError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return kExitDisk;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 1;

@@ -19,8 +19,8 @@ class ExitError : public std::runtime_error {
 };
 
 /// Runs a program's body and turns what escapes it into a message on stderr and an exit status:
-/// ExitError (BusError is one) gives its own code, any other exception 1. `int main(...) { return
-/// RunMain([&] { return Run(argc, argv); }); }`
+/// ExitError (BusError is one) gives its own code, base::DiskError 13, any other exception 1. `int
+/// main(...) { return RunMain([&] { return Run(argc, argv); }); }`
 int RunMain(const std::function<int()>& body);
 
 }  // namespace prospect::services

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "services/executive/report.h"
+#include "base/atomic_file.h"
 
 namespace prospect::services {
 namespace {
@@ -85,7 +85,7 @@ void Canvas::Write(const std::string& path, int height) {
   Grow(height);
   std::vector<unsigned char> png;
   cv::imencode(".png", sheet_.rowRange(0, height), png);
-  WriteText(path, {png.begin(), png.end()});
+  base::WriteFile(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 }  // namespace prospect::services

@@ -4,6 +4,8 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "base/disk_error.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::services {
@@ -26,14 +28,16 @@ cv::Mat Enlarged(const Picture& picture) {
 void WriteEpisodeVideo(const EpisodeRecord& record, const std::string& path) {
   if (record.frames.empty()) return;
   const cv::Mat first = Enlarged(record.frames.front());
-  cv::VideoWriter video(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), record.frames_per_second,
-                        first.size());
+  base::AtomicFile file(path);
+  cv::VideoWriter video(file.temporary(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'),
+                        record.frames_per_second, first.size());
   if (!video.isOpened())
     throw std::runtime_error("cannot write " + path + ": no MPEG-4 encoder, or no place to write");
   for (const auto& frame : record.frames) video.write(Enlarged(frame));
   video.release();
-  if (!tools::IsWholeMp4(path))
-    throw std::runtime_error("cannot write " + path + ": is the disk full?");
+  if (!tools::IsWholeMp4(file.temporary()))
+    throw base::DiskError("cannot write " + path + ": is the disk full?");
+  file.Commit();
 }
 
 }  // namespace prospect::services

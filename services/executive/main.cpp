@@ -4,9 +4,11 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <iostream>
+#include <optional>
 
+#include "base/atomic_file.h"
+#include "base/lock.h"
 #include "services/common/common_options.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
@@ -158,15 +160,14 @@ ExitCode CodeOf(const EpisodeRecord& record) {
 
 void WriteExplanation(const EpisodeRecord& record, const std::string& out) {
   if (!record.explanation) return;
-  WriteText(out + "/explain.html", ExplanationPage(*record.explanation));
+  prospect::base::WriteFile(out + "/explain.html", ExplanationPage(*record.explanation));
   WriteExplanationPictures(*record.explanation, out);
 }
 
 void WriteFiles(const EpisodeRecord& record, const std::string& out, ExitCode code) {
   if (out.empty()) return;
   try {
-    std::filesystem::create_directories(out);
-    WriteText(out + "/result.json", ResultJson(record, code));
+    prospect::base::WriteFile(out + "/result.json", ResultJson(record, code));
     if (record.first.empty()) return;  // it ended before the camera looked
     WriteExplanation(record, out);
     if (record.outcome == "explained") return;  // nothing was carried out
@@ -230,6 +231,8 @@ int Run(int argc, char** argv) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
   ApplyCommonOptions(common, "executive");
+  std::optional<prospect::base::Lock> own;  // two episodes would mix their files
+  if (!options.out.empty()) own = prospect::base::LockFolder(options.out);
 
   Bus bus(common.bus);
   Conversation talk(bus);

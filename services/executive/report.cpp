@@ -1,10 +1,7 @@
 #include "services/executive/report.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace prospect::services {
 namespace {
@@ -223,18 +220,6 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   if (record.familiarity) result["novelty"] = NoveltyJson(*record.familiarity);
   // What services and robots say is in whatever encoding it is.
   return result.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
-}
-
-void WriteText(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (file && !error) return;
-  std::filesystem::remove(temporary, error);
-  throw std::runtime_error("cannot write " + path + ": is the disk full or the folder read-only?");
 }
 
 }  // namespace prospect::services

@@ -6,8 +6,7 @@
 
 namespace prospect::services {
 
-// What an episode leaves behind for people and scripts. Pure functions of the record; files are
-// written whole or not at all (std::runtime_error naming the file and the cause).
+// What an episode leaves behind for people and scripts. Pure functions of the record.
 
 /// The plan as a table: step, action, score, V, f, visits, predicted and observed outcome; then the
 /// verdict in words.
@@ -17,9 +16,6 @@ std::string PlanTable(const EpisodeRecord& record);
 /// steps, searches.
 /// @param exit_code of the program, so that a script reading only the file knows it
 std::string ResultJson(const EpisodeRecord& record, int exit_code);
-
-/// Writes text to `path` through a temporary name. Throws std::runtime_error.
-void WriteText(const std::string& path, const std::string& text);
 
 /// The verdict in one sentence for a person.
 std::string VerdictSentence(const EpisodeRecord& record);

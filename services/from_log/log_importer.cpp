@@ -60,7 +60,11 @@ ImportRow LogImporter::Import(const RecordedRun& run) {
     if (kept_.count(run.episode_id()))
       throw RunError("this scene was recorded before and is kept already");
     const model::Trial trial = run.ToTrial();
+    // Episodes of a robot whose ids are long may come to one number.
+    if (numbers_.count(trial.seed) > 0)
+      throw RunError("its number " + std::to_string(trial.seed) + " is another episode's");
     sink_(trial);
+    numbers_.insert(trial.seed);
     kept_.insert(run.episode_id());
     return {row.episode_id, trial.frames(), trial.outcome, trial.reason};
   } catch (const RunError& error) {

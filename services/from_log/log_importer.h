@@ -59,7 +59,8 @@ class LogImporter {
   std::unique_ptr<RecordedRun> current_;
   std::unique_ptr<RecordedRun> previous_;
   std::shared_ptr<const task_t> task_;
-  std::set<std::int64_t> kept_;
+  std::set<std::int64_t> kept_;      // episodes
+  std::set<std::uint64_t> numbers_;  // of their trials
   std::vector<ImportRow> rows_;
   std::map<std::string, std::int64_t> refused_;
 };

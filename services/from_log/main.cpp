@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/json_file.h"
 #include "model/dataset.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/from_log/log_importer.h"
 
@@ -39,15 +39,10 @@ class Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  // Refused by the data set's rules: DataError. The disk at fault: ExitError.
+  // Refused by the data set's rules: DataError. The disk at fault: DiskError.
   void Write(const model::Trial& trial) {
-    model::ValidateTrial(trial);
     const std::string path = folder_ + "/trial_" + std::to_string(trial.seed) + ".h5";
-    try {
-      model::WriteTrialFile(path, trial);
-    } catch (const model::DiskError& error) {
-      throw ExitError(kExitDisk, error.what());
-    }
+    model::WriteTrialFile(path, trial);
     files_.push_back(path);
   }
 
@@ -114,8 +109,6 @@ void Pack(const std::vector<std::string>& files, const std::string& out) {
     model::PackTrialFiles(files, out);
   } catch (const model::DataError& error) {
     throw ExitError(kExitDataFile, error.what());
-  } catch (const model::DiskError& error) {
-    throw ExitError(kExitDisk, error.what());
   }
 }
 
@@ -125,7 +118,7 @@ int Import(const Options& options) {
   const LogCounts counts = ReadLogs(options.logs, importer);
   Print(importer, counts, parts.files().size());
   if (!options.json.empty())
-    WriteJsonFile(options.json, Report(importer, counts, parts.files().size()));
+    base::WriteJsonFile(options.json, Report(importer, counts, parts.files().size()));
   Pack(parts.files(), options.out);
   return kExitSuccess;
 }

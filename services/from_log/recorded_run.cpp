@@ -22,6 +22,13 @@ bool IsOver(const label_t& label) {
   return label.outcome == label_t::OUTCOME_SUCCESS || label.outcome == label_t::OUTCOME_FAILURE;
 }
 
+// Of a robot's trial.
+std::uint64_t RecordedNumber(std::int64_t episode_id) {
+  const auto id = static_cast<std::uint64_t>(episode_id);
+  return id <= model::kLastRecordedNumber ? id
+                                          : model::Mix64(id) % (model::kLastRecordedNumber + 1);
+}
+
 std::vector<int> Widen(const std::vector<std::int32_t>& values) {
   return {values.begin(), values.end()};
 }
@@ -44,6 +51,17 @@ std::string DataSetTaskHash(const task_t& task) {
   spec.action_time_limit = task.action_time_limit;
   spec.repeats_allowed = task.repeats_allowed != 0;
   return model::HexText(spec.Hash());
+}
+
+std::optional<std::uint64_t> SimulatedSeed(const task_t& task, std::int64_t episode_id) {
+  constexpr std::size_t kDigits = 16;
+  const std::string begin = task.name + "-";
+  const std::string& version = task.world_version;
+  const bool ours =
+      version.size() == begin.size() + kDigits && version.rfind(begin, 0) == 0 &&
+      version.find_first_not_of("0123456789abcdef", begin.size()) == std::string::npos;
+  if (!ours) return std::nullopt;
+  return static_cast<std::uint64_t>(episode_id);
 }
 
 void RecordedRun::Add(const observation_t& observation) {
@@ -83,7 +101,9 @@ void RecordedRun::RequireWhole(std::int64_t end) const {
 
 void RecordedRun::Describe(std::int64_t end, model::Trial& trial) const {
   const label_t& last = labels_.at(end);
-  trial.seed = static_cast<std::uint64_t>(episode_id_);
+  const std::optional<std::uint64_t> scene = SimulatedSeed(*task_, episode_id_);
+  trial.simulated = scene.has_value();
+  trial.seed = scene.value_or(RecordedNumber(episode_id_));
   trial.task = task_->name;
   trial.outcome = last.outcome == label_t::OUTCOME_SUCCESS ? "success" : "failure";
   trial.reason = last.reason;

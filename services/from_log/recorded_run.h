@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,7 +38,8 @@ class RecordedRun {
   /// The trial, as a collector would have written it for this scene, but for two things: its
   /// pictures are those that were on the bus, with the sensor's noise in them, and image_noise is
   /// therefore 0, so that no reader adds it again. Frames after the one that ended the trial are
-  /// left out.
+  /// left out. A robot's trial is numbered by its episode's id, or, where that has more than nine
+  /// digits, by a hash of it.
   /// @throws RunError when a frame or its label is missing, the trial did not end, or messages
   /// contradict each other
   model::Trial ToTrial() const;
@@ -54,6 +56,11 @@ class RecordedRun {
   std::map<std::int64_t, label_t> labels_;
   std::shared_ptr<const task_t> task_;
 };
+
+/// The seed of the simulator's scene that an episode shows: where the world is one of our
+/// simulator's by its version (NAME and 16 hexadecimal digits), the episode's id. Nothing for a
+/// robot's episodes, whose ids are its own: no scene is kept for evaluation by them.
+std::optional<std::uint64_t> SimulatedSeed(const task_t& task, std::int64_t episode_id);
 
 /// The hash of a task as data sets store it (sim::TaskSpec::Hash as text), from what TASK says.
 /// TASK's own task_hash also covers the plan's length, which data sets leave open.

@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/atomic_file.h"
 #include "services/executive/canvas.h"
-#include "services/executive/report.h"
 
 namespace prospect::services {
 namespace {
@@ -105,7 +105,7 @@ void WritePicture(const Picture& picture, const std::string& path) {
   cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
   std::vector<unsigned char> png;
   cv::imencode(".png", bgr, png);
-  WriteText(path, {png.begin(), png.end()});
+  base::WriteFile(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 }  // namespace prospect::services

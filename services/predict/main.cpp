@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/lock.h"
 #include "services/common/common_options.h"
 #include "services/common/run_main.h"
 #include "services/executive/conversation.h"
@@ -75,7 +76,6 @@ void Tell(const FuturesSheet& sheet, const std::string& out) {
 
 void Write(const FuturesSheet& sheet, const std::string& out) {
   try {
-    fs::create_directories(out);
     WritePicture(sheet.seen, out + "/seen.png");
     for (std::size_t i = 0; i < sheet.futures.size(); ++i) {
       WritePicture(sheet.futures[i].imagined, out + "/" + FileOf(i));
@@ -96,6 +96,7 @@ int Run(int argc, char** argv) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
   ApplyCommonOptions(options.common, "predict");
+  const prospect::base::Lock own = prospect::base::LockFolder(options.out);
   Bus bus(options.common.bus);
   Conversation talk(bus, "predict");
   talk.monitor().RequireOwnBus();

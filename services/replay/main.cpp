@@ -5,12 +5,11 @@
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/json_file.h"
 #include "services/binding/search_table.h"
 #include "services/common/common_options.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
@@ -35,9 +34,7 @@ void WriteTable(const std::string& folder, const ReplayedSearch& replayed) {
   std::filesystem::create_directories(folder);
   const std::string path =
       folder + "/" + std::to_string(replayed.search->root().search_id) + ".txt";
-  std::ofstream file(path);
-  file << TableText(replayed.search->search());
-  if (!file.flush()) throw ExitError(kExitDisk, "cannot write " + path);
+  prospect::base::WriteFile(path, TableText(replayed.search->search()));
 }
 
 json ReplayBus(const Options& options) {
@@ -57,7 +54,8 @@ json ReplayBus(const Options& options) {
                         {"table", table}});
     if (!options.tables.empty()) WriteTable(options.tables, replayed);
   }
-  if (!options.json_file.empty()) WriteJsonFile(options.json_file, {{"searches", searches}});
+  if (!options.json_file.empty())
+    prospect::base::WriteJsonFile(options.json_file, {{"searches", searches}});
   return searches;
 }
 
@@ -69,13 +67,13 @@ int ReplayWorker(const Options& options) {
               replay.searches, replay.heard, replay.selections, replay.advances, replay.sent,
               replay.differences);
   if (!options.json_file.empty()) {
-    WriteJsonFile(options.json_file, {{"searches", replay.searches},
-                                      {"heard", replay.heard},
-                                      {"advances", replay.advances},
-                                      {"selections", replay.selections},
-                                      {"sent", replay.sent},
-                                      {"differences", replay.differences},
-                                      {"table", Hex(replay.table)}});
+    prospect::base::WriteJsonFile(options.json_file, {{"searches", replay.searches},
+                                                      {"heard", replay.heard},
+                                                      {"advances", replay.advances},
+                                                      {"selections", replay.selections},
+                                                      {"sent", replay.sent},
+                                                      {"differences", replay.differences},
+                                                      {"table", Hex(replay.table)}});
   }
   if (replay.differences == 0) return kExitSuccess;
   std::fprintf(stderr, "first: %s\n", replay.first_difference.c_str());

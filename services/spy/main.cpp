@@ -10,13 +10,13 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/json_file.h"
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/common_options.h"
 #include "services/common/health.h"
 #include "services/common/health_monitor.h"
 #include "services/common/host_filter.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/spy/bus_survey.h"
@@ -76,7 +76,7 @@ int Check(const CheckOptions& options) {
   bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
   const double seconds = Listen(bus, options.seconds);
   survey.Print(seconds, std::cout);
-  if (!options.json.empty()) WriteJsonFile(options.json, survey.ToJson(seconds));
+  if (!options.json.empty()) base::WriteJsonFile(options.json, survey.ToJson(seconds));
   return kExitSuccess;
 }
 
@@ -146,7 +146,7 @@ int Status(const StatusOptions& options) {
     report["reach"] = ReachInWords(bus.url());
     report["keyed"] = bus.keyed();
     report["refused"] = bus.refused();
-    WriteJsonFile(options.json, report);
+    base::WriteJsonFile(options.json, report);
   }
   return AllWell(rows) || options.watch ? kExitSuccess : kExitServiceLost;
 }

@@ -10,9 +10,9 @@
 #include <thread>
 #include <utility>
 
+#include "base/json_file.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
-#include "services/common/json_file.h"
 #include "services/common/run_main.h"
 #include "services/supervisor/child.h"
 
@@ -197,7 +197,7 @@ json Supervisor::Describe(const Service& service) const {
 void Supervisor::WriteState() const {
   json services = json::array();
   for (const Service& service : services_) services.push_back(Describe(service));
-  WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
+  base::WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
                                             {"bus", deployment_.bus},
                                             {"task", deployment_.task},
                                             {"weights", deployment_.weights},

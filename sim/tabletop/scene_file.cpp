@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/yaml_keys.h"
 #include "sim/fnv.h"
 
 namespace prospect::sim {
@@ -248,7 +249,14 @@ double ShapeDescription::bounding_radius() const {
 
 YamlReader OpenSceneFile(const std::string& path) {
   try {
-    return YamlReader(path.empty() ? YAML::Load(DefaultStackingScene()) : YAML::LoadFile(path), "");
+    const YAML::Node scene =
+        path.empty() ? YAML::Load(DefaultStackingScene()) : YAML::LoadFile(path);
+    const std::string twice = base::KeyTwice(scene);
+    if (!twice.empty()) {
+      throw SceneFileError(path + ": names '" + twice +
+                           "' twice, and which one counts is chance: leave one");
+    }
+    return YamlReader(scene, "");
   } catch (const YAML::Exception& error) {
     throw SceneFileError((path.empty() ? "scene" : path) +
                          ": cannot be read as YAML: " + error.what());

@@ -177,6 +177,15 @@ expect 2 "unknown task 'juggling': the tasks are navigation" prospect-simulator 
 expect 2 'cannot be read as YAML' prospect-simulator --task stacking --scene-file "$absent"
 expect 2 'the scene file: must be a map' prospect-simulator --task stacking --scene-file text
 
+# --- A folder of results in use by another demo.
+mkdir -p out/logs
+flock --no-fork out/logs sleep 1000 &
+holder=$!
+for _ in $(seq 200); do flock -n out/logs true || break; sleep 0.02; done
+expect 13 "out is in use by sleep 1000 \(pid $holder\)" "$root/prospect" explain --weights scripted --out out
+[ "$(ls -A out)" = logs ] || { echo "FAULT a folder in use was written to: $(ls -A out)"; faults=$((faults + 1)); }
+kill "$holder"
+
 # --- The bus in use by another deployment.
 prospect-worker --deployment 4711 >/dev/null 2>&1 &
 prospect-bus wait --services worker=1 --seconds 20 >/dev/null 2>&1 || exit 1

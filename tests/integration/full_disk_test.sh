@@ -35,7 +35,7 @@ for jobs in 1 2; do
   expect 13 'disk/trials.h5.parts/trial_[0-9]+.h5: cannot be written.*space on the disk' \
     prospect-collect --trials 6 --seed 0 --jobs $jobs --out "$disk/trials.h5"
   absent trials.h5
-  compgen -G "$disk/trials.h5.parts/*.tmp*" >/dev/null && fault 'a half trial was left behind'
+  compgen -G "$disk/trials.h5.parts/.*.part*" >/dev/null && fault 'a half trial was left behind'
 done
 mount -o remount,size=8m "$disk" || exit 1
 prospect-collect --trials 6 --seed 0 --jobs 1 --resume --out "$disk/trials.h5" >/dev/null 2>&1 ||
@@ -85,7 +85,7 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 [ -n "$now" ] && [ "$now" != "$first" ] || fault "the worker was not started again: $(tail -2 supervisor.log)"
-grep -q 'services.json cannot be written.*the services go on' supervisor.log || fault 'the full disk was not told'
+grep -q 'services.json: cannot be written.*the services go on' supervisor.log || fault 'the full disk was not told'
 kill "$supervisor"
 wait "$supervisor" 2>/dev/null
 
@@ -101,9 +101,9 @@ room
 mkdir "$disk/out"
 echo '"of an earlier episode"' >"$disk/out/result.json"
 head -c 200000 /dev/zero >"$disk/fill" 2>/dev/null
-expect 13 'disk/out/result.json: is the disk full' "${episode[@]}" --out "$disk/out"
+expect 13 'disk/out/result.json: cannot be written.*space' "${episode[@]}" --out "$disk/out"
 [ "$(cat "$disk/out/result.json")" = '"of an earlier episode"' ] || fault 'an earlier result was harmed'
-compgen -G "$disk/out/*.part" >/dev/null && fault 'half a result was left behind'
+compgen -G "$disk/out/.*.part*" >/dev/null && fault 'half a result was left behind'
 room
 [ -z "$pictures" ] || expect 13 'disk/out/(plan.png|episode.mp4): ' "${episode[@]}" --out "$disk/out"
 [ -z "$pictures" ] || grep -q '"outcome": "' "$disk/out/result.json" || fault 'what fits should be written'

@@ -62,6 +62,6 @@ expect 13 'run/stages/second-classifier-[0-9a-f]+/stage-second-classifier.checkp
   bash limited 20000 "${train[@]}" --data good.h5 --stage second-classifier
 after=$(sums run/stages)
 [ "$(grep -F -x -f <(printf '%s\n' "$before") <<<"$after")" = "$before" ] || fault 'the first stage is no longer what it was'
-compgen -G 'run/stages/*/*.tmp' >/dev/null && fault 'half a checkpoint was left behind'
+compgen -G 'run/stages/*/.*.part*' >/dev/null && fault 'half a checkpoint was left behind'
 "${train[@]}" --data good.h5 --stage second-classifier >/dev/null 2>&1 || fault 'with room again it does not go on'
 finish

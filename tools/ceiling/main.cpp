@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_file.h"
 #include "model/trial.h"
 #include "sim/random.h"
 #include "tools/ceiling/foretold.h"
@@ -20,7 +21,6 @@
 #include "tools/collect/collector.h"
 #include "tools/collect/scene_tasks.h"
 #include "tools/common/fork_map.h"
-#include "tools/common/json_file.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
 
@@ -200,25 +200,28 @@ int Run(const Options& options) {
       return LookAt(task, seed, options.runs, most).dump();
     };
   };
-  ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
-    const json one = json::parse(line);
-    moments += !one.empty();
-    for (const auto& [name, found] : one.items()) {
-      if (name == "x1" || name == "x2")
-        pictures[name].Add(found);
-      else
-        rows[name].Add(FromJson(found));
-    }
-    progress.Step(std::to_string(moments) + " moments");
-  });
-  json report = {{"task", options.collect.task}, {"trials", options.trials},
+  const Extent extent =
+      ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
+        const json one = json::parse(line);
+        moments += !one.empty();
+        for (const auto& [name, found] : one.items()) {
+          if (name == "x1" || name == "x2")
+            pictures[name].Add(found);
+          else
+            rows[name].Add(FromJson(found));
+        }
+        progress.Step(std::to_string(moments) + " moments");
+      });
+  json report = {{"task", options.collect.task}, {"trials", extent.done},
                  {"runs", options.runs},         {"moments", moments},
                  {"rows", json::object()},       {"pictures", json::object()}};
   for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
   for (const auto& [name, bounds] : pictures) report["pictures"][name] = Figures(bounds);
+  extent.Put(&report);
   Print(report);
-  if (!options.json_file.empty()) WriteJsonFile(options.json_file, report);
-  return 0;
+  std::printf("%s", extent.Line("trials").c_str());
+  if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, report);
+  return extent.exit_code();
 }
 
 }  // namespace

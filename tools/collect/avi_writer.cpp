@@ -5,22 +5,26 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "base/disk_error.h"
+
 namespace prospect::tools {
 
 struct AviWriter::Impl {
+  explicit Impl(const std::string& name) : path(name), file(name) {}
   std::string path;
+  base::AtomicFile file;
   cv::VideoWriter video;
   cv::Mat bgr;
   int frames = 0;
 };
 
 AviWriter::AviWriter(const std::string& path, int width, int height, double frames_per_second)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->path = path;
+    : impl_(std::make_unique<Impl>(path)) {
   // OpenCV's own encoder damages the last block of one frame in some ten thousand.
-  const bool opened =
-      impl_->video.open(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
-                        frames_per_second, cv::Size(width, height));
+  const bool opened = impl_->video.open(impl_->file.temporary(), cv::CAP_FFMPEG,
+                                        cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                                        frames_per_second, cv::Size(width, height));
   if (!opened) {
     throw std::runtime_error("cannot write " + path +
                              ": no place to write, or OpenCV was built without FFmpeg");
@@ -39,14 +43,14 @@ void AviWriter::Write(const sim::Image& image) {
 
 void AviWriter::Finish() {
   impl_->video.release();
-  cv::VideoCapture video(impl_->path);
+  cv::VideoCapture video(impl_->file.temporary());
   int whole = 0;
   while (video.grab()) ++whole;
   if (whole != impl_->frames) {
-    throw std::runtime_error("cannot write " + impl_->path + ": of " +
-                             std::to_string(impl_->frames) + " frames " + std::to_string(whole) +
-                             " can be read; is the disk full?");
+    throw base::DiskError("cannot write " + impl_->path + ": of " + std::to_string(impl_->frames) +
+                          " frames " + std::to_string(whole) + " can be read; is the disk full?");
   }
+  impl_->file.Commit();
 }
 
 int FramesOfVideo(const std::string& path) {

@@ -19,8 +19,8 @@ class AviWriter {
   // `image` must have the video's size.
   void Write(const sim::Image& image);
 
-  // Ends the file and reads it again to see that all of it is there; throws std::runtime_error if
-  // it is not, as on a full disk (OpenCV says nothing of that).
+  // Ends the file, reads it again to see that all of it is there, and gives it its name; throws
+  // std::runtime_error if it is not whole, as on a full disk (OpenCV says nothing of that).
   void Finish();
 
  private:

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/json_file.h"
+#include "base/lock.h"
 #include "model/dataset.h"
 #include "sim/random.h"
 #include "tools/collect/scene_tasks.h"
@@ -80,12 +82,7 @@ void PrepareParts(const CollectOptions& options) {
     }
     return;
   }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  std::ofstream file(manifest_path);
-  if (error || !(file << manifest.dump(2) << '\n')) {
-    throw std::runtime_error("cannot write to " + folder.string() + ": choose another --out");
-  }
+  base::WriteJsonFile(manifest_path.string(), manifest);
 }
 
 json Line(const model::Trial& trial, bool kept) {
@@ -160,16 +157,19 @@ sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed)
 
 CollectSummary Collect(const CollectOptions& options) {
   CheckSeeds(options);
+  CheckedWorldVersion(options);  // before anything is written
+  const base::Lock own = base::LockFolder(PartsFolder(options));
   PrepareParts(options);
   CollectSummary summary;
   Progress progress("trials", options.trials);
   const auto start = std::chrono::steady_clock::now();
-  ForkMap(
+  const Extent extent = ForkMap(
       options.trials, options.jobs, [&] { return MakeWorker(options); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &summary);
         progress.Step(SuccessShare(summary));
       });
+  if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
   Pack(options);
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -48,7 +48,8 @@ class CollectUsageError : public std::invalid_argument {
 sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed);
 
 // Records all trials, one file each in OUT.parts/, then packs them into OUT and removes the parts.
-// Throws CollectUsageError, model::DataError, or std::runtime_error (disk).
+// Throws CollectUsageError, model::DataError, base::DiskError (also where another process collects
+// there), Interrupted.
 CollectSummary Collect(const CollectOptions& options);
 
 }  // namespace prospect::tools

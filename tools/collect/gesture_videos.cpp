@@ -10,6 +10,8 @@
 #include <opencv2/core.hpp>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "base/lock.h"
 #include "sim/sensor_noise.h"
 #include "sim/suturing/suturing_task.h"
 #include "tools/collect/avi_writer.h"
@@ -67,15 +69,6 @@ class Places {
 
   fs::path root_;
 };
-
-void WriteText(const fs::path& path, const std::string& text) {
-  const fs::path part = path.string() + ".part";
-  std::ofstream file(part);
-  file << text << std::flush;
-  if (!file) throw std::runtime_error("cannot write " + path.string() + ": is the disk full?");
-  file.close();
-  fs::rename(part, path);
-}
 
 void CheckOptions(const GestureVideoOptions& options) {
   if (options.trials < 1 || options.trials > kMostTrials) {
@@ -146,8 +139,8 @@ void Prepare(const GestureVideoOptions& options, const Places& places) {
     fs::create_directories(folder, error);
     if (error) throw std::runtime_error("cannot write to " + folder.string());
   }
-  WriteText(places.manifest(), manifest.dump(2) + "\n");
-  WriteText(places.readme(), kReadme);
+  base::WriteFile(places.manifest(), manifest.dump(2) + "\n");
+  base::WriteFile(places.readme(), kReadme);
 }
 
 // One trial's task, videos and their names.
@@ -185,7 +178,7 @@ class TrialMaker {
 
   void GiveNames(const GestureTrial& trial) {
     for (const auto& video : videos_) video->Finish();
-    WriteText(places_.unfinished_text(name_), TranscriptionText(trial));
+    base::WriteFile(places_.unfinished_text(name_), TranscriptionText(trial));
     for (std::size_t i = 0; i < videos_.size(); ++i) {
       const int eye = static_cast<int>(i) + 1;
       fs::rename(places_.unfinished_video(name_, eye), places_.video(name_, eye));
@@ -258,7 +251,9 @@ std::string GestureTrialName(int i) {
 
 GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
   CheckOptions(options);
+  Manifest(options);  // refuses bad options before anything is written
   const Places places(options.out);
+  const base::Lock own = base::LockFolder(places.root().string());
   Prepare(options, places);
   GestureVideoSummary summary;
   Progress progress("trials", options.trials);
@@ -267,11 +262,13 @@ GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
     cv::setNumThreads(1);  // the processes share the work already
     return [&options](int i) { return MakeOrKeep(options, i).dump(); };
   };
-  ForkMap(options.trials, options.jobs, make_worker, [&](int, const std::string& line) {
-    Add(json::parse(line), options, &summary);
-    progress.Step();
-  });
-  WriteText(places.meta(), MetaText(options.trials));
+  const Extent extent =
+      ForkMap(options.trials, options.jobs, make_worker, [&](int, const std::string& line) {
+        Add(json::parse(line), options, &summary);
+        progress.Step();
+      });
+  if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
+  base::WriteFile(places.meta(), MetaText(options.trials));
   fs::remove_all(places.unfinished());
   summary.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

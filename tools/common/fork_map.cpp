@@ -1,6 +1,8 @@
 #include "tools/common/fork_map.h"
 
 #include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +12,10 @@
 #include <exception>
 #include <stdexcept>
 #include <vector>
+
+#include "base/destination.h"
+#include "base/disk_error.h"
+#include "base/stop_signals.h"
 
 namespace prospect::tools {
 namespace {
@@ -21,19 +27,12 @@ struct Child {
   int fd = -1;
   std::string pending;  // bytes of a line that has not ended yet
   std::string error;    // of the exception that ended it
+  bool disk = false;    // it was a base::DiskError
 };
 
-void WriteAll(int fd, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t n = write(fd, text.data() + done, text.size() - done);
-    if (n < 0) throw std::runtime_error("a worker process could not report its result");
-    done += static_cast<std::size_t>(n);
-  }
-}
-
-// What takes the place of an item's number before the words of an exception.
-constexpr int kFailed = -1;
+// What takes the place of an item's number before the words of an exception, and of a DiskError's,
+// which has an exit code of its own.
+constexpr int kFailed = -1, kDiskFailed = -2;
 
 std::string OneLine(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -43,15 +42,20 @@ std::string OneLine(std::string text) {
 // Never returns: a child must not run the parent's destructors or flush its buffers.
 [[noreturn]] void RunChild(int fd, int first, int items, int jobs,
                            const std::function<Work()>& make_work) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  signal(SIGINT, SIG_IGN);  // of a terminal, which tells all of its processes: the parent decides
+  signal(SIGTERM, SIG_DFL);
   try {
     const Work work = make_work();
     for (int i = first; i < items; i += jobs) {
-      WriteAll(fd, std::to_string(i) + " " + work(i) + "\n");
+      if (base::WriteAll(fd, std::to_string(i) + " " + work(i) + "\n") != 0)
+        throw std::runtime_error("a worker process could not report its result");
     }
     _exit(0);
+  } catch (const base::DiskError& error) {
+    base::WriteAll(fd, std::to_string(kDiskFailed) + " " + OneLine(error.what()) + "\n");
   } catch (const std::exception& error) {
-    const std::string words = std::to_string(kFailed) + " " + OneLine(error.what()) + "\n";
-    [[maybe_unused]] const ssize_t told = write(fd, words.data(), words.size());
+    base::WriteAll(fd, std::to_string(kFailed) + " " + OneLine(error.what()) + "\n");
   }
   _exit(1);
 }
@@ -66,67 +70,88 @@ Child StartChild(int first, int items, int jobs, const std::function<Work()>& ma
     RunChild(ends[1], first, items, jobs, make_work);
   }
   close(ends[1]);
-  return {pid, ends[0], "", ""};
+  return {pid, ends[0], "", "", false};
 }
 
-void DeliverLines(Child* child, const std::function<void(int, const std::string&)>& on_result) {
+using OnResult = std::function<void(int, const std::string&)>;
+
+// @return how many
+int DeliverLines(Child* child, const OnResult& on_result) {
+  int delivered = 0;
   std::size_t end;
   while ((end = child->pending.find('\n')) != std::string::npos) {
     const std::string line = child->pending.substr(0, end);
     child->pending.erase(0, end + 1);
     const std::size_t space = line.find(' ');
     const int item = std::stoi(line.substr(0, space));
-    if (item == kFailed) {
+    if (item < 0) {
       child->error = line.substr(space + 1);
+      child->disk = item == kDiskFailed;
     } else {
       on_result(item, line.substr(space + 1));
+      ++delivered;
     }
   }
+  return delivered;
 }
 
 // Reads what is there; false at the end of the child's output.
 bool ReadSome(Child* child) {
   char buffer[65536];
-  const ssize_t n = read(child->fd, buffer, sizeof buffer);
+  ssize_t n;
+  while ((n = read(child->fd, buffer, sizeof buffer)) < 0 && errno == EINTR) {
+  }
   if (n <= 0) return false;
   child->pending.append(buffer, static_cast<std::size_t>(n));
   return true;
 }
 
-void Reap(const std::vector<Child>& children) {
-  bool failed = false;
+// After a stop nothing is wrong with children that were killed.
+void Reap(const std::vector<Child>& children, bool stopped) {
+  bool failed = false, disk = false;
   std::string error;
   for (const Child& child : children) {
     int status = 0;
-    waitpid(child.pid, &status, 0);
+    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
+    }
     failed = failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
-    if (error.empty()) error = child.error;
+    if (error.empty()) error = child.error, disk = child.disk;
   }
-  if (!failed) return;
+  if (!failed || stopped) return;
   if (error.empty()) error = "a worker process ended before its work was done";
+  if (disk) throw base::DiskError(error);
   throw std::runtime_error(error);
 }
 
-}  // namespace
+int RunHere(int items, const std::function<Work()>& make_work, const OnResult& on_result) {
+  const Work work = make_work();
+  int done = 0;
+  for (; done < items && !base::StopRequested(); ++done) on_result(done, work(done));
+  return done;
+}
 
-void ForkMap(int items, int jobs, const std::function<Work()>& make_work,
-             const std::function<void(int, const std::string&)>& on_result) {
-  if (jobs <= 1) {
-    const Work work = make_work();
-    for (int i = 0; i < items; ++i) on_result(i, work(i));
-    return;
-  }
-  std::vector<Child> children;
-  for (int j = 0; j < jobs; ++j) children.push_back(StartChild(j, items, jobs, make_work));
+void KillAll(const std::vector<Child>& children) {
+  for (const Child& child : children) kill(child.pid, SIGKILL);
+}
+
+// Until all have ended. @return items done
+int Listen(std::vector<Child>* children, const OnResult& on_result) {
+  constexpr int kLookAgainMs = 200;  // for a signal that came just before poll
+  int done = 0;
+  bool killed = false;
   std::vector<pollfd> open;
-  for (const Child& child : children) open.push_back({child.fd, POLLIN, 0});
-  std::size_t ended = 0;
-  while (ended < children.size()) {
-    poll(open.data(), open.size(), -1);
-    for (std::size_t j = 0; j < children.size(); ++j) {
+  for (const Child& child : *children) open.push_back({child.fd, POLLIN, 0});
+  for (std::size_t ended = 0; ended < children->size();) {
+    if (base::StopRequested() && !killed) {
+      KillAll(*children);
+      killed = true;
+    }
+    if (poll(open.data(), open.size(), kLookAgainMs) <= 0) continue;
+    for (std::size_t j = 0; j < children->size(); ++j) {
       if (open[j].fd < 0 || open[j].revents == 0) continue;
-      if (ReadSome(&children[j])) {
-        DeliverLines(&children[j], on_result);
+      Child& child = (*children)[j];
+      if (ReadSome(&child)) {
+        done += DeliverLines(&child, on_result);
       } else {
         close(open[j].fd);
         open[j].fd = -1;  // poll skips negative descriptors
@@ -134,7 +159,20 @@ void ForkMap(int items, int jobs, const std::function<Work()>& make_work,
       }
     }
   }
-  Reap(children);
+  return done;
+}
+
+}  // namespace
+
+Extent ForkMap(int items, int jobs, const std::function<Work()>& make_work,
+               const OnResult& on_result) {
+  base::InstallStopSignals();
+  if (jobs <= 1) return {RunHere(items, make_work, on_result), items};
+  std::vector<Child> children;
+  for (int j = 0; j < jobs; ++j) children.push_back(StartChild(j, items, jobs, make_work));
+  const int done = Listen(&children, on_result);
+  Reap(children, base::StopRequested() && done < items);
+  return {done, items};
 }
 
 }  // namespace prospect::tools

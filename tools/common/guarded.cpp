@@ -8,6 +8,7 @@
 
 #include "model/dataset.h"
 #include "model/weights_error.h"
+#include "tools/common/extent.h"
 
 namespace prospect::tools {
 namespace {
@@ -30,6 +31,8 @@ int Guarded(const char* program, const std::function<int()>& run, int others) {
     return Tell(program, error.what(), kExitWeights);
   } catch (const model::DiskError& error) {
     return Tell(program, error.what(), kExitDisk);
+  } catch (const Interrupted& error) {
+    return Tell(program, error.what(), kExitInterrupted);
   } catch (const std::invalid_argument& error) {
     return Tell(program, error.what(), kExitUsage);
   } catch (const std::range_error& error) {

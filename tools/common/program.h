@@ -5,11 +5,14 @@
 #include <functional>
 #include <stdexcept>
 
+#include "tools/common/extent.h"
+
 namespace prospect::tools {
 
 /// The end of main() of a program that needs no libtorch (others: Guarded in guarded.h): reads the
 /// arguments, runs, tells errors on standard error after the program's name. Returns run()'s code;
-/// usage 2 (also std::invalid_argument), anything else thrown 13 (docs/architecture.md).
+/// usage 2 (also std::invalid_argument), Interrupted 130, anything else thrown 13
+/// (docs/architecture.md).
 inline int RunProgram(const char* name, CLI::App* app, int argc, char** argv,
                       const std::function<int()>& run) {
   try {
@@ -20,6 +23,9 @@ inline int RunProgram(const char* name, CLI::App* app, int argc, char** argv,
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());
     return 2;
+  } catch (const Interrupted& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return kExitInterrupted;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());
     return 13;

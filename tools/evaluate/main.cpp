@@ -12,6 +12,7 @@
 #include <optional>
 #include <sstream>
 
+#include "base/json_file.h"
 #include "model/calibration.h"
 #include "model/engine.h"
 #include "model/surprise.h"
@@ -19,7 +20,6 @@
 #include "sim/oracle.h"
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
-#include "tools/common/json_file.h"
 #include "tools/common/scene_options.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
@@ -288,7 +288,7 @@ void CheckInputs(const Options& options) {
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
 // What is stored with the weights is for the task's own goal; of another one the threshold is told.
 void PrepareCalibration(Options* options) {
-  if (options->wanted.solvable + options->wanted.hopeless > 0)
+  if (options->wanted.total() > 0)
     throw std::invalid_argument("--calibrate wants scenes as they come: --scenes, not --solvable");
   options->rows = {"planner"};
   options->threshold = 0;
@@ -368,7 +368,7 @@ void ChoosePromisedThreshold(Options* options) {
 
 // The scenes to run: so many in a row, or the first of each class.
 std::vector<std::uint64_t> SeedsOf(const Options& options) {
-  if (options.wanted.solvable + options.wanted.hopeless > 0) {
+  if (options.wanted.total() > 0) {
     return DrawScenes(options.wanted, options.seed, options.jobs, [&]() -> ClassOf {
       auto bench = std::make_shared<Bench>(options);
       return [bench](std::uint64_t seed) { return bench->ClassOf(seed); };
@@ -377,6 +377,40 @@ std::vector<std::uint64_t> SeedsOf(const Options& options) {
   std::vector<std::uint64_t> seeds(static_cast<std::size_t>(options.scenes));
   std::iota(seeds.begin(), seeds.end(), options.seed);
   return seeds;
+}
+
+void Tell(const Options& options, const SceneRuns& runs) {
+  if (!options.goal.empty()) std::cout << "goal: " << planner::ToString(options.goal) << "\n";
+  std::cout << Table(Summarise(runs.records, options.rows), options.rows)
+            << runs.extent.Line("scenes");
+  if (!options.calibrate) return;
+  if (runs.extent.stopped()) {
+    std::cout << "no calibration of so few scenes is stored\n";
+    return;
+  }
+  Calibrate(options, runs.records);
+}
+
+// `not_covered`: what the weights were not calibrated for; empty: nothing.
+void WriteReport(const Options& options, const SceneRuns& runs, const std::string& not_covered) {
+  json summary = Summarise(runs.records, options.rows);
+  summary["task"] = options.task;
+  summary["goal"] = planner::ToString(options.goal);
+  summary["first_seed"] = options.seed;
+  summary["objects"] = options.world.objects;
+  summary["legs"] = options.world.legs;
+  summary["tower"] = options.world.tower;
+  summary["scene_file"] = options.world.scene_file;
+  summary["samples"] = options.search.samples;
+  summary["factor"] = options.shift.factor;
+  summary["strength"] = options.shift.strength;
+  summary["open_loop"] = options.shift.open_loop;
+  summary["novelty"] = options.shift.novelty;
+  summary["threshold"] = options.threshold;
+  summary["not_covered"] = not_covered;
+  runs.extent.Put(&summary);
+  summary["records"] = runs.records;
+  base::WriteJsonFile(options.json_file, summary, 1);
 }
 
 int Main(int argc, char** argv) {
@@ -401,38 +435,14 @@ int Main(int argc, char** argv) {
   const std::string not_covered =
       options.calibrate ? ""
                         : HeedCoverage(options.weights, KindAsked(options), &options.threshold);
-  const std::vector<SceneRecord> scenes =
-      RunScenes(SeedsOf(options), options.jobs, [&]() -> SceneRun {
-        auto bench = std::make_shared<Bench>(options);
-        return [bench](std::uint64_t seed) { return bench->Run(seed); };
-      });
-  json summary = Summarise(scenes, options.rows);
-  if (!options.goal.empty()) std::cout << "goal: " << planner::ToString(options.goal) << "\n";
-  std::cout << Table(summary, options.rows);
-  if (options.calibrate) Calibrate(options, scenes);
-  if (options.json_file.empty()) return 0;
-  summary["task"] = options.task;
-  summary["goal"] = planner::ToString(options.goal);
-  summary["first_seed"] = options.seed;
-  summary["objects"] = options.world.objects;
-  summary["legs"] = options.world.legs;
-  summary["tower"] = options.world.tower;
-  summary["scene_file"] = options.world.scene_file;
-  summary["samples"] = options.search.samples;
-  summary["factor"] = options.shift.factor;
-  summary["strength"] = options.shift.strength;
-  summary["open_loop"] = options.shift.open_loop;
-  summary["novelty"] = options.shift.novelty;
-  summary["threshold"] = options.threshold;
-  summary["not_covered"] = not_covered;
-  summary["records"] = scenes;
-  try {
-    WriteJsonFile(options.json_file, summary, 1);
-  } catch (const std::exception& error) {
-    std::cerr << "prospect-evaluate: " << error.what() << "\n";
-    return 13;
-  }
-  return 0;
+  SceneRuns runs = RunScenes(SeedsOf(options), options.jobs, [&]() -> SceneRun {
+    auto bench = std::make_shared<Bench>(options);
+    return [bench](std::uint64_t seed) { return bench->Run(seed); };
+  });
+  if (options.wanted.total() > 0) runs.extent.wanted = options.wanted.total();
+  Tell(options, runs);
+  if (!options.json_file.empty()) WriteReport(options, runs, not_covered);
+  return runs.extent.exit_code();
 }
 
 }  // namespace
@@ -450,6 +460,9 @@ int main(int argc, char** argv) {
   } catch (const prospect::tools::PromiseError& error) {
     std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 3;
+  } catch (const prospect::base::DiskError& error) {
+    std::cerr << "prospect-evaluate: " << error.what() << "\n";
+    return 13;
   } catch (const std::exception& error) {
     std::cerr << "prospect-evaluate: " << error.what() << "\n";
     return 10;

@@ -7,10 +7,12 @@
 #include <map>
 #include <memory>
 
+#include "base/stop_signals.h"
 #include "model/engine.h"
 #include "model/novelty.h"
 #include "sim/task_factory.h"
 #include "tools/collect/collector.h"
+#include "tools/common/extent.h"
 #include "tools/common/guarded.h"
 #include "tools/common/progress.h"
 #include "tools/evaluate/first_picture.h"
@@ -53,6 +55,7 @@ std::vector<model::NoveltySample> Samples(const Options& options, model::Engine*
   std::map<int, std::unique_ptr<sim::Task>> tasks;  // by objects
   std::vector<model::NoveltySample> samples;
   Progress progress("scenes", options.scenes);
+  base::InstallStopSignals();
   for (int i = 0; i < options.scenes; ++i) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
     const sim::TaskOptions scene = SceneOptions(options.kind, seed);
@@ -61,7 +64,10 @@ std::vector<model::NoveltySample> Samples(const Options& options, model::Engine*
     const auto picture = FirstPicture(*task, seed, scene.image_noise);
     samples.push_back(model::TakeNoveltySample(*engine, picture.data()));
     progress.Step();
+    if (base::StopRequested()) break;
   }
+  const Extent extent{static_cast<int>(samples.size()), options.scenes};
+  if (extent.stopped()) throw Interrupted(extent.Words("scenes") + "; nothing was stored");
   return samples;
 }
 

@@ -1,8 +1,5 @@
 #include "tools/evaluate/plan_outcomes.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +8,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/disk_error.h"
+#include "base/line_file.h"
 #include "sim/random.h"
 #include "sim/rollout.h"
 #include "tools/evaluate/decider.h"
@@ -120,7 +119,7 @@ std::vector<PlanOutcome> CarryOut(sim::Task& task, std::uint64_t scene_seed,
 OutcomeFile::OutcomeFile(const std::string& path) : path_(path) {
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
-  if (error) throw std::runtime_error("cannot make the folder of " + path);
+  if (error) throw base::DiskError("cannot make the folder of " + path);
   std::ifstream file(path);
   std::string text;
   while (std::getline(file, text)) {
@@ -139,12 +138,7 @@ const std::vector<PlanOutcome>* OutcomeFile::Find(std::uint64_t scene_seed) cons
 }
 
 void OutcomeFile::Store(std::uint64_t scene_seed, const std::vector<PlanOutcome>& outcomes) {
-  const std::string line = json{{"seed", scene_seed}, {"plans", ToJson(outcomes)}}.dump() + "\n";
-  const int file = open(path_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
-  const ssize_t written = file < 0 ? -1 : write(file, line.data(), line.size());
-  if (file >= 0) close(file);
-  if (written != static_cast<ssize_t>(line.size()))
-    throw std::runtime_error(path_ + ": cannot be written: is the disk full?");
+  base::AppendLine(path_, json{{"seed", scene_seed}, {"plans", ToJson(outcomes)}}.dump());
   known_[scene_seed] = outcomes;
 }
 

@@ -32,7 +32,7 @@ std::vector<PlanOutcome> CarryOut(sim::Task& task, std::uint64_t scene_seed,
 // safe; several processes may share the file.
 class OutcomeFile {
  public:
-  // `path` need not exist, its folder is made. Throws std::runtime_error if that cannot be.
+  // `path` need not exist, its folder is made. Throws base::DiskError if that cannot be.
   explicit OutcomeFile(const std::string& path);
 
   const std::vector<PlanOutcome>* Find(std::uint64_t scene_seed) const;  // null: not there

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <memory>
 
+#include "base/json_file.h"
 #include "model/engine.h"
 #include "sim/task_factory.h"
 #include "tools/common/guarded.h"
-#include "tools/common/json_file.h"
 #include "tools/common/scene_options.h"
 #include "tools/evaluate/plan_outcomes.h"
 #include "tools/evaluate/plan_scores.h"
@@ -95,20 +95,20 @@ int Main(int argc, char** argv) {
   }
   sim::MakeTask(options.task, options.world);  // refuses what is out of range, before any process
   RequireWeightsOf(options.task, options.weights);
-  const std::vector<PlanScene> scenes =
-      RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
-        auto bench = std::make_shared<Bench>(options);
-        return [bench](std::uint64_t seed) { return bench->Run(seed); };
-      });
-  json summary = SummarisePlans(scenes);
-  std::cout << PlanTable(summary);
-  if (options.json_file.empty()) return 0;
+  const SceneRuns runs = RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
+    auto bench = std::make_shared<Bench>(options);
+    return [bench](std::uint64_t seed) { return bench->Run(seed); };
+  });
+  json summary = SummarisePlans(runs.records);
+  std::cout << PlanTable(summary) << runs.extent.Line("scenes");
+  if (options.json_file.empty()) return runs.extent.exit_code();
   summary["task"] = options.task;
   summary["first_seed"] = options.seed;
   summary["runs"] = options.runs;
-  summary["records"] = scenes;
-  WriteJsonFile(options.json_file, summary, 1);
-  return 0;
+  runs.extent.Put(&summary);
+  summary["records"] = runs.records;
+  base::WriteJsonFile(options.json_file, summary, 1);
+  return runs.extent.exit_code();
 }
 
 }  // namespace

@@ -4,20 +4,11 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "model/dataset.h"
+#include "base/line_file.h"
 
 namespace prospect::tools {
-namespace {
 
 using nlohmann::json;
-
-void Append(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::app);
-  file << text << std::flush;
-  if (!file) throw model::DiskError(path + ": cannot be written; check the folder and the space");
-}
-
-}  // namespace
 
 RecordFile::RecordFile(const std::string& path, const json& key) : path_(path) {
   std::error_code ignored;
@@ -26,7 +17,7 @@ RecordFile::RecordFile(const std::string& path, const json& key) : path_(path) {
   std::ifstream file(path);
   std::string text;
   if (!std::getline(file, text)) {
-    Append(path, key.dump() + "\n");
+    base::AppendLine(path, key.dump());
     return;
   }
   if (json::parse(text, nullptr, false) != key) {
@@ -34,17 +25,14 @@ RecordFile::RecordFile(const std::string& path, const json& key) : path_(path) {
                                 ": was made with other options or weights; take them, or "
                                 "another --out");
   }
-  bool cut = false;  // by a process that was killed while it wrote
   while (std::getline(file, text)) {
-    cut = file.eof();
     const json record = json::parse(text, nullptr, false);
     if (record.is_object() && record.contains("seed")) records_[record["seed"]] = record;
   }
-  if (cut) Append(path, "\n");
 }
 
 void RecordFile::Store(const json& record) {
-  Append(path_, record.dump() + "\n");
+  base::AppendLine(path_, record.dump());
   records_[record.at("seed")] = record;
 }
 

@@ -13,7 +13,7 @@ namespace prospect::tools {
 class RecordFile {
  public:
   // `path` need not exist, its folder is made. Throws std::invalid_argument when the file was made
-  // with another `key`, model::DiskError when it cannot be written.
+  // with another `key`, base::DiskError when it cannot be written.
   RecordFile(const std::string& path, const nlohmann::json& key);
 
   const std::map<std::uint64_t, nlohmann::json>& records() const { return records_; }

@@ -15,9 +15,10 @@ constexpr int kPiece = 16;  // scenes a process asks about before it is seen whe
 
 using Classes = std::vector<sim::SceneClass>;
 
+// Of a program that is stopped, none.
 Classes Ask(std::uint64_t first_seed, int count, int jobs, const std::function<ClassOf()>& set_up) {
   Classes classes(static_cast<std::size_t>(count));
-  ForkMap(
+  const Extent asked = ForkMap(
       count, jobs,
       [&]() {
         const ClassOf class_of = set_up();
@@ -28,7 +29,7 @@ Classes Ask(std::uint64_t first_seed, int count, int jobs, const std::function<C
       [&](int i, const std::string& name) {
         classes[static_cast<std::size_t>(i)] = sim::SceneClassFromString(name);
       });
-  return classes;
+  return asked.stopped() ? Classes() : classes;
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ std::vector<std::uint64_t> DrawScenes(const ScenesWanted& wanted, std::uint64_t 
   std::map<sim::SceneClass, int> missing = {{sim::SceneClass::kSolvable, wanted.solvable},
                                             {sim::SceneClass::kHopeless, wanted.hopeless}};
   std::vector<std::uint64_t> drawn;
-  Progress progress("scenes drawn", wanted.solvable + wanted.hopeless);
+  Progress progress("scenes drawn", wanted.total());
   const int piece = kPiece * std::max(1, jobs);
   const auto enough = [&] {
     return std::all_of(missing.begin(), missing.end(), [](const auto& m) { return m.second <= 0; });
@@ -50,6 +51,7 @@ std::vector<std::uint64_t> DrawScenes(const ScenesWanted& wanted, std::uint64_t 
     }
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(asked);
     const Classes classes = Ask(seed, piece, jobs, set_up);
+    if (classes.empty()) break;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       if (missing[classes[i]]-- <= 0) continue;
       drawn.push_back(seed + i);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/weights.h"
@@ -16,14 +17,21 @@ namespace prospect::tools {
 // A record of one scene, made by whatever a process has set up for many.
 using SceneRun = std::function<nlohmann::json(std::uint64_t scene_seed)>;
 
-// Records of these scenes, in their order, made by `jobs` processes that each set themselves up
-// once. Shows progress. Throws as ForkMap.
-inline std::vector<nlohmann::json> RunScenes(const std::vector<std::uint64_t>& seeds, int jobs,
-                                             const std::function<SceneRun()>& set_up) {
+// Records of the scenes that were run, in the order of their seeds.
+struct SceneRuns {
+  std::vector<nlohmann::json> records;
+  Extent extent;
+};
+
+// Runs these scenes in `jobs` processes that each set themselves up once. Shows progress. Throws as
+// ForkMap, and is stopped as it is.
+inline SceneRuns RunScenes(const std::vector<std::uint64_t>& seeds, int jobs,
+                           const std::function<SceneRun()>& set_up) {
   std::vector<nlohmann::json> records(seeds.size());
   const int scenes = static_cast<int>(seeds.size());
   Progress progress("scenes", scenes);
-  ForkMap(
+  SceneRuns runs;
+  runs.extent = ForkMap(
       scenes, jobs,
       [&]() {
         const SceneRun run = set_up();
@@ -33,12 +41,15 @@ inline std::vector<nlohmann::json> RunScenes(const std::vector<std::uint64_t>& s
         records[static_cast<std::size_t>(i)] = nlohmann::json::parse(line);
         progress.Step();
       });
-  return records;
+  for (nlohmann::json& record : records) {
+    if (!record.is_null()) runs.records.push_back(std::move(record));
+  }
+  return runs;
 }
 
 // The same for the scenes from `first_seed` on.
-inline std::vector<nlohmann::json> RunScenes(int scenes, std::uint64_t first_seed, int jobs,
-                                             const std::function<SceneRun()>& set_up) {
+inline SceneRuns RunScenes(int scenes, std::uint64_t first_seed, int jobs,
+                           const std::function<SceneRun()>& set_up) {
   std::vector<std::uint64_t> seeds(static_cast<std::size_t>(scenes));
   std::iota(seeds.begin(), seeds.end(), first_seed);
   return RunScenes(seeds, jobs, set_up);

@@ -5,10 +5,11 @@
 #include <iostream>
 #include <memory>
 
+#include "base/json_file.h"
+#include "base/lock.h"
 #include "model/weights.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/guarded.h"
-#include "tools/common/json_file.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
 #include "tools/evaluate/calibrate.h"
@@ -109,7 +110,8 @@ void MakeMissing(const Options& options, RecordFile* file) {
   if (missing.empty()) return;
   const int scenes = static_cast<int>(missing.size());
   Progress progress("scenes", scenes);
-  ForkMap(
+  // What is missing after a stop is seen by what the file holds.
+  [[maybe_unused]] const Extent made = ForkMap(
       scenes, options.jobs,
       [&]() {
         auto sweep = std::make_shared<ShiftSweep>(options.sweep);
@@ -134,26 +136,30 @@ int Main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   Prepare(&options);
+  const base::Lock own = base::LockFolder(options.out);
   RecordFile file(options.out + "/records.jsonl", KeyOf(options));
   MakeMissing(options, &file);
   std::vector<json> scenes;
-  for (int i = 0; i < options.scenes; ++i)
-    scenes.push_back(file.records().at(options.seed + static_cast<std::uint64_t>(i)));
-
+  for (int i = 0; i < options.scenes; ++i) {
+    const auto found = file.records().find(options.seed + static_cast<std::uint64_t>(i));
+    if (found != file.records().end()) scenes.push_back(found->second);
+  }
+  const Extent extent{static_cast<int>(scenes.size()), options.scenes};
   json summary = SummariseShifts(scenes, options.sweep.points);
-  std::cout << ShiftTable(summary);
+  std::cout << ShiftTable(summary) << extent.Line("scenes");
   const std::string plot = options.out + "/shifts.png";
   if (WriteShiftPlot(plot, summary, "Pictures unlike the known ones: " + options.sweep.task))
     std::cout << "plot: " << plot << "\n";
-  if (options.json_file.empty()) return 0;
+  if (options.json_file.empty()) return extent.exit_code();
   summary["task"] = options.sweep.task;
   summary["first_seed"] = options.seed;
   summary["samples"] = options.sweep.search.samples;
   summary["novelty"] = options.sweep.novelty_level;
   summary["threshold"] = options.sweep.search.refusal_threshold;
+  extent.Put(&summary);
   summary["records"] = scenes;
-  WriteJsonFile(options.json_file, summary, 1);
-  return 0;
+  base::WriteJsonFile(options.json_file, summary, 1);
+  return extent.exit_code();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <set>
 #include <thread>
 
+#include "base/lock.h"
 #include "model/engine.h"
 #include "model/jigsaws/gestures.h"
 #include "model/weights_error.h"
@@ -127,14 +128,6 @@ Studio OpenStudio(const Options& options) {
   return studio;
 }
 
-void MakeFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    throw model::DiskError(folder + ": cannot be made; check the path and its permissions");
-  }
-}
-
 planner::SearchParameters SearchOf(const Options& options, const Studio& studio) {
   planner::SearchParameters parameters;
   parameters.samples = options.samples;
@@ -250,9 +243,9 @@ std::set<std::string> Wanted(const Options& options, const Studio& studio) {
 }
 
 int Main(const Options& options) {
+  const base::Lock own = base::LockFolder(options.out);
   const Studio studio = OpenStudio(options);
   const std::set<std::string> wanted = Wanted(options, studio);
-  MakeFolder(options.out);
   std::vector<Page> pages;
   for (const std::string& name : kNames) {
     if (wanted.count(name) == 0) continue;

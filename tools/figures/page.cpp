@@ -1,9 +1,9 @@
 #include "tools/figures/page.h"
 
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 
-#include "model/dataset.h"
+#include "base/atomic_file.h"
 #include "sim/png.h"
 
 namespace prospect::figures {
@@ -21,26 +21,18 @@ Page Finish(Sheet* sheet, int y, const std::string& file, const std::string& cap
 }
 
 void WritePage(const std::string& folder, const Page& page) {
-  try {
-    sim::WritePng(folder + "/" + page.file, page.picture);
-  } catch (const std::runtime_error& error) {
-    throw model::DiskError(std::string(error.what()) + ": check the folder and the space left");
-  }
+  sim::WritePng(folder + "/" + page.file, page.picture);
 }
 
 void WriteCaptions(const std::string& folder, const std::string& about,
                    const std::vector<Page>& pages) {
-  const std::string path = folder + "/captions.md";
-  std::ofstream file(path);
+  std::ostringstream file;
   file << "# Figures\n\n" << about << "\n";
   for (const Page& page : pages) {
     file << "\n## " << page.file << "\n\n![" << page.file << "](" << page.file << ")\n\n"
          << page.caption << "\n";
   }
-  file.close();
-  if (!file) {
-    throw model::DiskError(path + ": cannot be written; check the folder and the space left");
-  }
+  base::WriteFile(folder + "/captions.md", file.str());
 }
 
 std::string Number(const char* format, double value) {

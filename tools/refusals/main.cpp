@@ -6,11 +6,14 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/json_file.h"
+#include "base/stop_signals.h"
+#include "base/strict_json.h"
 #include "model/calibration.h"
 #include "model/dataset.h"
 #include "model/weights.h"
+#include "tools/common/extent.h"
 #include "tools/common/guarded.h"
-#include "tools/common/json_file.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/refusals/plot.h"
 #include "tools/refusals/report.h"
@@ -74,13 +77,14 @@ Named FromWeights(const std::string& path) {
 
 Named FromReport(const std::string& path) try {
   std::ifstream in(path);
-  const json report = json::parse(in);
+  const json report = base::ParseStrictJson(in);
+  if (report.is_discarded())
+    throw model::DataError(path + ": is no report of prospect-evaluate: it is not JSON");
   if (report.value("threshold", 0.0) != 0)
     throw model::DataError(path + ": plans were refused there; evaluate with --threshold 0");
   return {report.at("task"), SampleFrom(report.at("records").get<std::vector<SceneRecord>>())};
-} catch (const json::parse_error& error) {  // its words quote bytes of the file, which may be any
-  throw model::DataError(path + ": is no report of prospect-evaluate (no JSON from byte " +
-                         std::to_string(error.byte) + " on)");
+} catch (const base::KeyTwiceError& error) {
+  throw model::DataError(path + ": " + error.what());
 } catch (const json::exception& error) {
   throw model::DataError(path + ": is no report of prospect-evaluate (" + error.what() + ")");
 }
@@ -104,6 +108,7 @@ int Main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kExitUsage;
   }
+  base::InstallStopSignals();
   std::vector<Named> samples;
   for (const std::string& path : options.weights) samples.push_back(FromWeights(path));
   for (const std::string& path : options.reports) samples.push_back(FromReport(path));
@@ -116,8 +121,8 @@ int Main(int argc, char** argv) {
     std::cout << RefusalTable(figures.back()) << model::CurveTable(named.sample);
   }
   if (!options.plot_file.empty()) PlotRefusals(options.plot_file, figures);
-  if (!options.json_file.empty()) WriteJsonFile(options.json_file, figures, 1);
-  return 0;
+  if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, figures, 1);
+  return base::StopRequested() ? kExitInterrupted : 0;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "model/refusal/isotonic.h"
 #include "model/refusal/risk_coverage.h"
+#include "tools/common/extent.h"
 
 namespace prospect::tools {
 namespace {
@@ -81,21 +82,25 @@ json MeasureRefusals(const model::CalibrationSample& sample, const std::string& 
   const int solvable = model::CountOf(sample, SceneClass::kSolvable);
   const int hopeless = model::CountOf(sample, SceneClass::kHopeless);
   const auto curve = model::RiskCoverageCurve(sample);
-  return {{"task", task},
-          {"scenes", sample.scenes.size()},
-          {"solvable", solvable},
-          {"hopeless", hopeless},
-          {"doubtful", model::CountOf(sample, SceneClass::kDoubtful)},
-          {"auroc", model::SolvabilityAuroc(sample)},
-          {"area", model::AreaUnder(curve)},
-          {"coverage_at_5", model::CoverageAtRisk(curve, 0.05)},
-          {"coverage_at_10", model::CoverageAtRisk(curve, 0.1)},
-          {"delta", options.delta},
-          {"refuse", ToJson(RunRefuseSplits(sample, options.alpha, options.splits, options.seed))},
-          {"fail", ToJson(RunFailSplits(sample, options.epsilon, options.delta, options.splits,
-                                        options.seed))},
-          {"curve", ToJson(curve, solvable, hopeless)},
-          {"success", ToJson(model::SuccessCurve(sample))}};
+  const SplitSummary refuse = RunRefuseSplits(sample, options.alpha, options.splits, options.seed);
+  const SplitSummary fail =
+      RunFailSplits(sample, options.epsilon, options.delta, options.splits, options.seed);
+  json figures = {{"task", task},
+                  {"scenes", sample.scenes.size()},
+                  {"solvable", solvable},
+                  {"hopeless", hopeless},
+                  {"doubtful", model::CountOf(sample, SceneClass::kDoubtful)},
+                  {"auroc", model::SolvabilityAuroc(sample)},
+                  {"area", model::AreaUnder(curve)},
+                  {"coverage_at_5", model::CoverageAtRisk(curve, 0.05)},
+                  {"coverage_at_10", model::CoverageAtRisk(curve, 0.1)},
+                  {"delta", options.delta},
+                  {"refuse", ToJson(refuse)},
+                  {"fail", ToJson(fail)},
+                  {"curve", ToJson(curve, solvable, hopeless)},
+                  {"success", ToJson(model::SuccessCurve(sample))}};
+  Extent{static_cast<int>(fail.splits.size()), options.splits}.Put(&figures);
+  return figures;
 }
 
 std::string RefusalTable(const json& figures) {
@@ -108,6 +113,8 @@ std::string RefusalTable(const json& figures) {
           " random halves to calibrate on, the other half to test:\n";
   text += SplitsLine("refused of the solvable", figures["refuse"]);
   text += SplitsLine("failed of the attempted", figures["fail"]);
+  const Extent extent{figures["fail"]["splits"].get<int>(), figures["wanted"].get<int>()};
+  if (extent.stopped()) text += "  " + extent.Line("splits");
   text += Line("  score of solvable above hopeless (area under ROC)  %.3f\n", figures["auroc"]);
   text += Line("  area under risk and coverage                       %.4f\n", figures["area"]);
   text += Line("  attempted share of scenes at a risk of  5 %%        %.1f %%\n",

@@ -18,7 +18,8 @@ struct RefusalOptions {
 
 /// The figures of one sample, with the keys that docs/json.md documents: task, scenes, solvable,
 /// hopeless, doubtful, auroc, area, coverage_at_5, coverage_at_10, refuse and fail (target, mean,
-/// standard_error, within, kept; rates, thresholds and bands of those kept), curve and success.
+/// standard_error, within, kept; rates, thresholds and bands of those kept), curve and success;
+/// stopped and wanted (splits).
 nlohmann::json MeasureRefusals(const model::CalibrationSample& sample, const std::string& task,
                                const RefusalOptions& options);
 

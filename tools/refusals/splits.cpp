@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "base/stop_signals.h"
 #include "model/refusal/risk_coverage.h"
 
 namespace prospect::tools {
@@ -42,7 +43,7 @@ SplitSummary Summary(double target, std::vector<SplitOutcome> splits) {
 SplitSummary Run(const model::CalibrationSample& sample, double target, int splits,
                  std::uint64_t seed, const std::function<SplitOutcome(const Halves&)>& test) {
   std::vector<SplitOutcome> outcomes;
-  for (int i = 0; i < splits; ++i) {
+  for (int i = 0; i < splits && !base::StopRequested(); ++i) {
     Halves halves = SplitInHalves(sample, seed + static_cast<std::uint64_t>(i / 2));
     if (i % 2 == 1) std::swap(halves.calibration, halves.test);
     outcomes.push_back(test(halves));

@@ -46,7 +46,8 @@ SplitOutcome TestFailAtMost(const Halves& halves, double epsilon, double delta);
 
 /// `splits` random splits: random halves with seeds from `seed` on, each of which serves twice,
 /// with one half to calibrate on and then with the other, so that every scene counts as often in
-/// the calibrations as in the tests (as in repeated two-fold cross-validation).
+/// the calibrations as in the tests (as in repeated two-fold cross-validation). Fewer once the
+/// program is to stop (base/stop_signals.h).
 SplitSummary RunRefuseSplits(const model::CalibrationSample& sample, double alpha, int splits,
                              std::uint64_t seed);
 SplitSummary RunFailSplits(const model::CalibrationSample& sample, double epsilon, double delta,

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tools/common/json_file.h"
+#include "base/json_file.h"
 
 namespace prospect::tools {
 namespace {
@@ -57,7 +57,7 @@ std::vector<Row> CachedRows(const std::string& path, const std::string& key,
   rows = make();
   json stored = {{"key", key}, {"rows", json::array()}};
   for (const Row& row : rows) stored["rows"].push_back(AsJson(row));
-  WriteJsonFile(path, stored, -1);
+  base::WriteJsonFile(path, stored, -1);
   return rows;
 }
 

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/yaml_keys.h"
+
 namespace prospect::verify {
 namespace {
 
@@ -55,7 +57,10 @@ Measurement MeasurementOf(const YAML::Node& node) {
 std::vector<Measurement> ReadMeasurements(const std::string& path) {
   std::vector<Measurement> measurements;
   try {
-    for (const auto& node : YAML::LoadFile(path)) measurements.push_back(MeasurementOf(node));
+    const YAML::Node file = YAML::LoadFile(path);
+    const std::string twice = base::KeyTwice(file);
+    if (!twice.empty()) throw std::invalid_argument(path + ": names '" + twice + "' twice");
+    for (const auto& node : file) measurements.push_back(MeasurementOf(node));
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

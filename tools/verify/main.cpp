@@ -11,6 +11,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/json_file.h"
+#include "base/lock.h"
 #include "tools/verify/figures.h"
 
 extern char** environ;
@@ -126,6 +128,7 @@ int Show(const Measurement& measurement, bool full, const json& report, json* to
 }
 
 int Run(const Options& options) {
+  const prospect::base::Lock own = prospect::base::LockFolder(options.work);
   const auto begin = std::chrono::steady_clock::now();
   json told = json::array();
   int outside = 0, count = 0;
@@ -139,9 +142,8 @@ int Run(const Options& options) {
   std::printf("%zu figures, %d outside their tolerance; %.0f s\n", told.size(), outside,
               took.count());
   if (!options.json_file.empty()) {
-    std::ofstream out(options.json_file);
-    out << json{{"outside", outside}, {"full", options.full}, {"rows", told}}.dump(2) << '\n';
-    if (!out.flush()) throw fs::filesystem_error("cannot write " + options.json_file, {});
+    prospect::base::WriteJsonFile(options.json_file,
+                                  {{"outside", outside}, {"full", options.full}, {"rows", told}});
   }
   return outside == 0 ? 0 : kExitTolerance;
 }
@@ -155,6 +157,9 @@ int RunGuarded(const Options& options) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "prospect-verify: %s\n", error.what());
     return kExitUsage;
+  } catch (const prospect::base::DiskError& error) {
+    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
+    return kExitDisk;
   } catch (const fs::filesystem_error& error) {
     std::fprintf(stderr, "prospect-verify: %s\n", error.what());
     return kExitDisk;

@@ -4,20 +4,23 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
+#include "base/disk_error.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::tools {
 
 struct Video::Impl {
-  cv::VideoWriter writer;
+  explicit Impl(const std::string& name) : path(name), file(name) {}
   std::string path;
+  base::AtomicFile file;
+  cv::VideoWriter writer;
 };
 
 Video::Video(const std::string& path, double frames_per_second, int width, int height)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->path = path;
-  impl_->writer.open(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), frames_per_second,
-                     cv::Size(width, height));
+    : impl_(std::make_unique<Impl>(path)) {
+  impl_->writer.open(impl_->file.temporary(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'),
+                     frames_per_second, cv::Size(width, height));
   if (!impl_->writer.isOpened()) throw std::runtime_error("cannot write the video " + path);
 }
 
@@ -25,9 +28,9 @@ Video::~Video() = default;
 
 void Video::Finish() {
   impl_->writer.release();
-  if (!IsWholeMp4(impl_->path)) {
-    throw std::runtime_error("cannot write " + impl_->path + ": is the disk full?");
-  }
+  if (!IsWholeMp4(impl_->file.temporary()))
+    throw base::DiskError("cannot write " + impl_->path + ": is the disk full?");
+  impl_->file.Commit();
 }
 
 void Video::Add(const sim::Image& picture) {

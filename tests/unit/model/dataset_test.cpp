@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/atomic_file.h"
+#include "base/lock.h"
+#include "model/hdf5_io.h"
 #include "tests/unit/model/made_trial.h"
 #include "tests/unit/model/test_folder.h"
 
@@ -220,6 +223,80 @@ TEST_F(DatasetTest, AFileThatIsNotOursIsRefused) {
   EXPECT_THROW(TrialFile(Path("text.h5")), DataError);
   EXPECT_THROW(TrialFile(Path("none.h5")), DataError);
   EXPECT_FALSE(IsWholeTrialFile(Path("none.h5")));
+}
+
+std::string WhyRefused(const std::string& path) {
+  try {
+    const TrialFile file(path);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// As robomimic's own: data/demo_N with obs/KEY, actions, no labels of ours.
+void WriteRobomimic(const std::string& path, bool pictures) {
+  const hdf5::Handle file = hdf5::CreateFile(path);
+  const hdf5::Handle data = hdf5::CreateGroup(file, "data", path);
+  hdf5::SetInteger(data, "total", 4, path);
+  for (const char* name : {"demo_0", "demo_1"}) {
+    const hdf5::Handle demo = hdf5::CreateGroup(data, name, path);
+    hdf5::SetInteger(demo, "num_samples", 2, path);
+    hdf5::Write<float>(demo, "actions", std::vector<float>(14), {2, 7}, path);
+    const hdf5::Handle obs = hdf5::CreateGroup(demo, "obs", path);
+    hdf5::Write<float>(obs, "robot0_eef_pos", std::vector<float>(6), {2, 3}, path);
+    if (!pictures) continue;
+    for (const char* camera : {"agentview_image", "robot0_eye_in_hand_image"})
+      hdf5::Write<std::uint8_t>(obs, camera, std::vector<std::uint8_t>(2 * 4 * 6 * 3), {2, 4, 6, 3},
+                                path);
+  }
+}
+
+TEST_F(DatasetTest, DemonstrationsOfRobomimicAreNamedAsSuch) {
+  WriteRobomimic(Path("r.h5"), true);
+  const std::string why = WhyRefused(Path("r.h5"));
+  EXPECT_NE(
+      why.find("holds 2 demonstrations in robomimic's layout, with the camera agentview_image "
+               "6x4, robot0_eye_in_hand_image 6x4"),
+      std::string::npos)
+      << why;
+  EXPECT_NE(why.find("dataset from-log"), std::string::npos);
+  WriteRobomimic(Path("low.h5"), false);
+  EXPECT_NE(WhyRefused(Path("low.h5")).find("without pictures of a camera"), std::string::npos);
+  EXPECT_THROW(PackTrialFiles({Path("r.h5")}, Path("out.h5")), DataError);
+}
+
+TEST_F(DatasetTest, OfOtherHdf5FilesItIsSaidWhatTheyHold) {
+  {
+    const hdf5::Handle file = hdf5::CreateFile(Path("o.h5"));
+    for (const char* name : {"action", "observations", "bad\nname"})
+      hdf5::CreateGroup(file, name, Path("o.h5"));
+  }
+  const std::string why = WhyRefused(Path("o.h5"));
+  EXPECT_NE(why.find("it holds 'action', 'bad?name', 'observations', and no group 'data'"),
+            std::string::npos)
+      << why;
+}
+
+TEST_F(DatasetTest, TwoProcessesDoNotPackIntoOneFile) {
+  const std::string part = Write(7);
+  const base::AtomicFile other(Path("out.h5"));
+  EXPECT_THROW(PackTrialFiles({part}, Path("out.h5")), base::InUseError);
+  EXPECT_FALSE(fs::exists(Path("out.h5")));
+}
+
+TEST_F(DatasetTest, NumbersOfARobotsTrialsAreNoSeeds) {
+  Trial trial = MadeTrial(1'500'000);
+  EXPECT_THROW(WriteTrialFile(Path("t.h5"), trial), DataError) << "kept for calibration";
+  trial.simulated = false;
+  WriteTrialFile(Path("t.h5"), trial);
+  EXPECT_EQ(PackTrialFiles({Path("t.h5"), Write(7)}, Path("out.h5")), 2U);
+  const TrialFile packed(Path("out.h5"));
+  EXPECT_TRUE(packed.ReadLabels(0).simulated);
+  EXPECT_FALSE(packed.ReadLabels(1).simulated);
+  EXPECT_EQ(packed.seeds()[1], 1'500'000U);
+  trial.seed = 1'000'000'000;
+  EXPECT_THROW(WriteTrialFile(Path("t.h5"), trial), DataError);
 }
 
 TEST_F(DatasetTest, FlippedBytesNeverCrashTheReader) {

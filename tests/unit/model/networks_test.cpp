@@ -239,6 +239,42 @@ TEST_F(WeightsTest, OtherFilesAreRefused) {
   ExpectRefused("cannot be opened");
 }
 
+std::string WithHeader(const std::string& header) {
+  std::string length(8, '\0');
+  for (std::size_t i = 0; i < 8; ++i) length[i] = static_cast<char>(header.size() >> 8 * i & 255);
+  return length + header;
+}
+
+// One of the two would count, and which one is chance.
+TEST_F(WeightsTest, ATensorThatIsNamedTwiceIsRefusedByName) {
+  const std::string good = Bytes();
+  std::size_t length = 0;
+  for (int i = 7; i >= 0; --i)
+    length = length << 8 | static_cast<unsigned char>(good[static_cast<std::size_t>(i)]);
+  const std::string header = good.substr(8, length);
+  const std::size_t at = header.find("\"f.out.bias\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::string entry = header.substr(at, header.find('}', at) + 1 - at);
+  Put(WithHeader(header.substr(0, header.rfind('}')) + "," + entry + "}") +
+      good.substr(8 + length));
+  ExpectRefused("tensor 'f.out.bias' twice");
+}
+
+TEST_F(WeightsTest, MetadataOfAnotherKindIsSaid) {
+  Put(WithHeader(R"({"__metadata__": 5})"));
+  ExpectRefused("'__metadata__' is of type number, where an object of texts belongs");
+  Put(WithHeader(R"({"__metadata__": {"prospect": {}}})"));
+  ExpectRefused("'prospect' in its '__metadata__' is of type object, where a text belongs");
+  Put(WithHeader(R"({"__metadata__": {"prospect": "[1]"}})"));
+  ExpectRefused("what its metadata holds is of type array, where an object belongs");
+  Put(WithHeader(R"({"__metadata__": {"prospect": "{}"}})"));
+  ExpectRefused("its metadata is empty");
+  Put(WithHeader(R"({"__metadata__": {}})"));
+  ExpectRefused("no metadata of ours");
+  Put(WithHeader(R"({"__metadata__": {"prospect": "{\"task\": \"a\", \"task\": \"b\"}"}})"));
+  ExpectRefused("'task' twice");
+}
+
 TEST_F(WeightsTest, AMissingTensorOrAnotherShapeIsRefusedByName) {
   auto some = tensors_;
   some.erase("f.out.bias");

@@ -4,6 +4,10 @@
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+
+#include "model/training/config_choices.h"
+#include "model/training/variants.h"
 
 namespace prospect::model {
 namespace {
@@ -68,6 +72,68 @@ TEST(Recipe, UnknownNamesSayWhatIsKnown) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("known are views, focus"), std::string::npos);
   }
+}
+
+std::string VariantName(std::size_t i) { return i == 0 ? "" : Variants()[i - 1].name; }
+
+// What came of one meeting of choices: refused in words, or numbers all of which are finite.
+void ExpectSoundOrRefused(const ConfigChoices& choices, int* sound) {
+  TrainConfig config;
+  try {
+    config = ConfigOf(choices);
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STRNE(error.what(), "");
+    return;
+  }
+  ++*sound;
+  const std::string text = json(config).dump();
+  EXPECT_EQ(text.find("null"), std::string::npos)
+      << choices.changes << choices.variant << " without "
+      << (choices.without.empty() ? "" : choices.without.front()) << ": " << text;
+}
+
+TEST(ConfigChoices, WhicheverMeetEveryNumberIsFiniteAndInRange) {
+  const char* const changes[] = {
+      "{}",
+      R"({"picture_weight": 0})",
+      R"({"picture_weight": 1e-300})",
+      R"({"picture_weight": 1e-300, "lambda": 0})",
+      R"({"picture_weight": 1000000})",
+      R"({"lambda": 1000000, "judge_steps": 1000})",
+      R"({"transform_image": {"iterations": 1000000000, "batch": 8, "learning_rate": 0.001}})"};
+  int sound = 0;
+  for (const char* task : kTasks) {
+    for (const char* change : changes) {
+      for (std::size_t variant = 0; variant <= Variants().size(); ++variant) {
+        for (std::size_t step = 0; step <= RecipeSteps().size(); ++step) {
+          ConfigChoices choices;
+          choices.task = task;
+          choices.changes = json::parse(change);
+          choices.variant = VariantName(variant);
+          if (step > 0) choices.without = {RecipeSteps()[step - 1].name};
+          for (const std::int64_t iterations :
+               {0L, 1L, 1'000'000'000L, 9'000'000'000'000'000'000L}) {
+            choices.iterations = iterations;
+            for (const char* recipe : {"best", "paper"}) {
+              choices.recipe = recipe;
+              ExpectSoundOrRefused(choices, &sound);
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(sound, 5000);
+}
+
+TEST(ConfigChoices, WithoutPicturesALossWithoutPicturesKeepsItsWeightOfC) {
+  ConfigChoices choices;
+  choices.task = "stacking";
+  choices.changes = {{"picture_weight", 0}};
+  choices.without = {"pictures"};
+  const TrainConfig config = ConfigOf(choices);
+  EXPECT_EQ(config.lambda, TrainConfigFor("stacking").lambda);
+  EXPECT_EQ(config.picture_weight, 1);
 }
 
 }  // namespace

@@ -178,6 +178,38 @@ TEST(MappedFile, FillsOnceAndMapsAgain) {
   EXPECT_EQ(static_cast<const char*>(again.data())[0], 7);
 }
 
+// As after a killed writer, or on a bad disk: the right name and length, other bytes.
+TEST(MappedFile, WhatItsChecksumDoesNotFitIsMadeAnewAndSaid) {
+  const TestFolder folder;
+  const auto fill = [](void* out) { std::memset(out, 7, 100); };
+  MappedFile(folder / "cache", 100, fill);
+  const auto size = std::filesystem::file_size(folder / "cache");
+  for (const std::streamoff place : {std::streamoff{0}, static_cast<std::streamoff>(size) - 1}) {
+    std::fstream(folder / "cache", std::ios::in | std::ios::out | std::ios::binary).seekp(place)
+        << '\1';
+    testing::internal::CaptureStderr();
+    const MappedFile again(folder / "cache", 100, fill);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("cache: is damaged"), std::string::npos);
+    EXPECT_EQ(static_cast<const char*>(again.data())[0], 7);
+  }
+  std::ofstream(folder / "cache") << std::string(size, '\0');
+  EXPECT_EQ(static_cast<const char*>(MappedFile(folder / "cache", 100, fill).data())[50], 7);
+}
+
+TEST(MappedFile, TwoThatFillAtOnceDoNotHarmEachOther) {
+  const TestFolder folder;
+  const auto fill = [](void* out) { std::memset(out, 7, 100); };
+  EXPECT_THROW(MappedFile(folder / "cache", 100,
+                          [&](void* out) {
+                            std::memset(out, 7, 50);
+                            MappedFile(folder / "cache", 100, fill);
+                            throw std::runtime_error("stopped half way");
+                          }),
+               std::runtime_error);
+  const MappedFile left(folder / "cache", 100, [](void*) { FAIL() << "it was whole"; });
+  EXPECT_EQ(static_cast<const char*>(left.data())[99], 7);
+}
+
 TEST(MappedFile, AFailedFillLeavesNothing) {
   const TestFolder folder;
   EXPECT_THROW(MappedFile(folder / "cache", 100, [](void*) { throw std::runtime_error("no"); }),
@@ -216,6 +248,14 @@ TEST(TrainConfig, RefusesWhatItDoesNotKnow) {
   refused(R"({"linked_steps": 0})");
   refused(R"({"network": {"image_width": 20}})");
   refused(R"({"network": {"activation": "tanh"}})");
+  refused(R"({"shards": 2.7})");
+  refused(R"({"shards": true})");
+  refused(R"({"shards": 4294967298})");
+  refused(R"({"seed": -1})");
+  refused(R"({"compose": 1})");
+  refused(R"({"lambda": 1e300})");
+  refused(R"({"done_weight": -1})");
+  refused(R"({"checkpoint_seconds": -5})");
   EXPECT_THROW(TrainConfigFor("juggling"), std::invalid_argument);
 }
 

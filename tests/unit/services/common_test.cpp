@@ -5,11 +5,11 @@
 #include <fstream>
 #include <set>
 
+#include "base/json_file.h"
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
-#include "services/common/json_file.h"
 #include "services/common/log.h"
 #include "services/common/run_main.h"
 #include "services/common/signals.h"
@@ -103,17 +103,17 @@ TEST(RunMain, TurnsErrorsIntoExitCodes) {
   EXPECT_EQ(RunMain([]() -> int { throw std::runtime_error("else"); }), 1);
 }
 
-TEST(JsonFile, IsWholeOrAnError) {
+TEST(JsonFile, IsWholeOrAnErrorOfTheDisk) {
   const std::string path = testing::TempDir() + "/json_file_test.json";
-  WriteJsonFile(path, {{"a", 1}});
+  base::WriteJsonFile(path, {{"a", 1}});
   nlohmann::json read;
   std::ifstream(path) >> read;
   EXPECT_EQ(read["a"], 1);
   try {
-    WriteJsonFile("/nonexistent/folder/x.json", {});
+    base::WriteJsonFile("/nonexistent/folder/x.json", {});
     FAIL() << "no error";
-  } catch (const ExitError& error) {
-    EXPECT_EQ(error.code(), kExitDisk);
+  } catch (const base::DiskError&) {
+    EXPECT_EQ(RunMain([]() -> int { throw base::DiskError("full"); }), kExitDisk);
   }
 }
 

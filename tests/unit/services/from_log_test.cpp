@@ -304,7 +304,9 @@ TEST_F(FromLog, WhatIsNoLogIsAnError) {
 TEST_F(FromLog, TheSinksRefusalIsARow) {
   {
     LogWriter log(path_);
-    log.Write(Task());
+    task_t simulated = Task();
+    simulated.world_version = "made-0123456789abcdef";
+    log.Write(simulated);
     WriteRun(log, 2000000);
   }
   LogImporter strict([](const model::Trial& trial) { model::ValidateTrial(trial); });
@@ -315,6 +317,38 @@ TEST_F(FromLog, TheSinksRefusalIsARow) {
   ASSERT_EQ(strict.rows().size(), 1u);
   EXPECT_EQ(strict.rows()[0].outcome, "refused");
   EXPECT_NE(strict.rows()[0].reason.find("999,999"), std::string::npos);
+}
+
+// A robot's episodes may be called anything: no scene is kept for evaluation by their ids.
+TEST_F(FromLog, IdsOfARobotsEpisodesAreNoSeeds) {
+  constexpr std::int64_t kLong = 7'000'000'000'000'000'123;
+  {
+    LogWriter log(path_);
+    log.Write(Task());
+    for (const std::int64_t episode : {std::int64_t{2'000'000}, std::int64_t{7}, kLong})
+      WriteRun(log, episode);
+  }
+  Import();
+  ASSERT_EQ(trials_.size(), 3u);
+  for (const model::Trial& trial : trials_) {
+    EXPECT_FALSE(trial.simulated);
+    EXPECT_NO_THROW(model::ValidateTrial(trial));
+  }
+  EXPECT_EQ(trials_[0].seed, 2'000'000u);
+  EXPECT_EQ(trials_[1].seed, 7u);
+  EXPECT_LE(trials_[2].seed, model::kLastRecordedNumber);
+  EXPECT_EQ(importer_.rows()[2].episode_id, kLong);
+}
+
+TEST(SimulatedSeed, IsThatOfTheWorldsOfOurSimulator) {
+  task_t task = Task();
+  for (const char* other : {"", "made-1", "video", "made-0123456789abcdeg",
+                            "made-0123456789abcdef0", "other-0123456789abcdef"}) {
+    task.world_version = other;
+    EXPECT_FALSE(SimulatedSeed(task, 2'000'000)) << other;
+  }
+  task.world_version = "made-0123456789abcdef";
+  EXPECT_EQ(SimulatedSeed(task, 2'000'000), std::uint64_t{2'000'000});
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 #include "sim/tabletop/scene_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "sim/tabletop/tabletop_world.h"
 
@@ -53,6 +57,23 @@ TEST(SceneFile, RefusesWithTheEntrysName) {
   EXPECT_NE(WhyRefused(With({"obstacle", "both"}, "[{box: [0, 1, 1]}]")).find("box"),
             std::string::npos);
   EXPECT_THROW(OpenSceneFile("/nowhere/scene.yaml"), SceneFileError);
+}
+
+TEST(SceneFile, AnEntryThatComesTwiceIsRefusedByName) {
+  const std::string path = testing::TempDir() + "scene_twice_" + std::to_string(getpid()) + ".yaml";
+  std::string text = DefaultStackingScene();
+  const std::size_t at = text.find("\n  force:");  // of the gripper
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "\n  force: 3");
+  std::ofstream(path) << text;
+  std::string why;
+  try {
+    OpenSceneFile(path);
+  } catch (const SceneFileError& error) {
+    why = error.what();
+  }
+  std::filesystem::remove(path);
+  EXPECT_NE(why.find("names 'gripper.force' twice"), std::string::npos) << why;
 }
 
 TEST(SceneFile, AnotherArmAndOtherThingsNeedNoCode) {

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -51,6 +52,18 @@ TEST(Commands, TakeValuesForTheirPlaceholders) {
   EXPECT_EQ(filled, (std::vector<std::string>{"a", "--x=1{z}", "{z}"}));
   EXPECT_THROW(Fill({"{other}"}, {{"x", "1"}}), std::invalid_argument);
   EXPECT_THROW(Fill({"{x"}, {{"x", "1"}}), std::invalid_argument);
+}
+
+TEST(FiguresFile, AKeyThatComesTwiceIsRefused) {
+  const std::string path = testing::TempDir() + "figures_twice_" + std::to_string(getpid());
+  std::ofstream(path) << "- name: a\n  commands: []\n  name: b\n";
+  std::string why;
+  try {
+    ReadMeasurements(path);
+  } catch (const std::invalid_argument& error) {
+    why = error.what();
+  }
+  EXPECT_NE(why.find("names '[0].name' twice"), std::string::npos) << why;
 }
 
 // What is published and what is measured cannot part.

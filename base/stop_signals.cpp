@@ -1,9 +1,9 @@
-#include "services/common/signals.h"
+#include "base/stop_signals.h"
 
 #include <atomic>
 #include <csignal>
 
-namespace prospect::services {
+namespace prospect::base {
 namespace {
 
 std::atomic<bool> stop_requested{false};
@@ -31,4 +31,4 @@ bool StopRequested() { return stop_requested; }
 
 void RequestStop() { stop_requested = true; }
 
-}  // namespace prospect::services
+}  // namespace prospect::base
