@@ -14,6 +14,7 @@
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
 #include "model/training/variants.h"
+#include "model/training/verdict.h"
 #include "model/weights.h"
 #include "tools/common/guarded.h"
 
@@ -126,8 +127,7 @@ nlohmann::json ScoresOf(const Arguments& a, const model::Trainer& trainer) {
   return model::ComputeScores(trainer.context(), trainer.file(), a.options.threads);
 }
 
-void Tell(const Arguments& a, const nlohmann::json& scores) {
-  model::PrintScores(scores);
+void WriteScores(const Arguments& a, const nlohmann::json& scores) {
   if (a.json_file.empty()) return;
   std::ofstream out(a.json_file);
   out << scores.dump(2) << '\n';
@@ -138,9 +138,17 @@ void Finish(const Arguments& a, const model::Trainer& trainer) {
   model::RoundToHalf(trainer.context().networks);
   const nlohmann::json scores = ScoresOf(a, trainer);
   const std::string weights = model::ExportWeights(trainer, scores);
-  Tell(a, scores);
+  WriteScores(a, scores);
   if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
-  std::printf("weights: %s\n", weights.c_str());
+  std::printf("%s", model::Verdict(scores).c_str());
+  std::printf("Weights: %s\nCurves:  %s/curves.csv\n", weights.c_str(),
+              trainer.weights_folder().c_str());
+  std::printf("All scores: ./prospect train --task %s --data %s --out %s --score %s\n",
+              a.options.task.c_str(), a.options.data.c_str(), a.options.folder.c_str(),
+              weights.c_str());
+  if (scores.contains("plan"))
+    std::printf("Next: ./prospect evaluate --task %s --weights %s\n", a.options.task.c_str(),
+                weights.c_str());
 }
 
 // With the configuration that the weights were trained with, not this version's.
@@ -153,7 +161,10 @@ int ScoreOnly(const Arguments& a) {
   options.score_only = true;
   model::Trainer trainer(metadata["train"].get<model::TrainConfig>(), options);
   trainer.Load(a.scored_weights);
-  Tell(a, ScoresOf(a, trainer));
+  const nlohmann::json scores = ScoresOf(a, trainer);
+  model::PrintScores(scores);
+  std::printf("%s", model::Verdict(scores).c_str());
+  WriteScores(a, scores);
   return 0;
 }
 
