@@ -4,6 +4,7 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "tools/common/video_codec.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::services {
@@ -26,10 +27,9 @@ cv::Mat Enlarged(const Picture& picture) {
 void WriteEpisodeVideo(const EpisodeRecord& record, const std::string& path) {
   if (record.frames.empty()) return;
   const cv::Mat first = Enlarged(record.frames.front());
-  cv::VideoWriter video(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), record.frames_per_second,
-                        first.size());
+  cv::VideoWriter video(path, tools::kVideoCodec, record.frames_per_second, first.size());
   if (!video.isOpened())
-    throw std::runtime_error("cannot write " + path + ": no MPEG-4 encoder, or no place to write");
+    throw std::runtime_error("cannot write " + path + ": no H.264 encoder, or no place to write");
   for (const auto& frame : record.frames) video.write(Enlarged(frame));
   video.release();
   if (!tools::IsWholeMp4(path))

@@ -4,6 +4,7 @@
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
+#include "tools/common/video_codec.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::tools {
@@ -16,8 +17,7 @@ struct Video::Impl {
 Video::Video(const std::string& path, double frames_per_second, int width, int height)
     : impl_(std::make_unique<Impl>()) {
   impl_->path = path;
-  impl_->writer.open(path, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), frames_per_second,
-                     cv::Size(width, height));
+  impl_->writer.open(path, kVideoCodec, frames_per_second, cv::Size(width, height));
   if (!impl_->writer.isOpened()) throw std::runtime_error("cannot write the video " + path);
 }
 
