@@ -134,21 +134,25 @@ void WriteScores(const Arguments& a, const nlohmann::json& scores) {
   if (!out.flush()) throw std::runtime_error(a.json_file + ": cannot be written");
 }
 
+// What was learned, where it is, and what to do with it.
+void TellEnd(const Arguments& a, const model::Trainer& trainer, const nlohmann::json& scores,
+             const std::string& weights) {
+  const char* task = a.options.task.c_str();
+  std::printf("%sWeights: %s\nCurves: %s/curves.csv\n", model::Verdict(scores).c_str(),
+              weights.c_str(), trainer.weights_folder().c_str());
+  std::printf("Every score: ./prospect train --task %s --data %s --out %s --score %s\n", task,
+              a.options.data.c_str(), a.options.folder.c_str(), weights.c_str());
+  const char* next = scores.contains("plan") ? "evaluate" : "figures";  // it takes heads to plan
+  std::printf("Next: ./prospect %s --task %s --weights %s\n", next, task, weights.c_str());
+}
+
 void Finish(const Arguments& a, const model::Trainer& trainer) {
   model::RoundToHalf(trainer.context().networks);
   const nlohmann::json scores = ScoresOf(a, trainer);
   const std::string weights = model::ExportWeights(trainer, scores);
   WriteScores(a, scores);
   if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
-  std::printf("%s", model::Verdict(scores).c_str());
-  std::printf("Weights: %s\nCurves:  %s/curves.csv\n", weights.c_str(),
-              trainer.weights_folder().c_str());
-  std::printf("All scores: ./prospect train --task %s --data %s --out %s --score %s\n",
-              a.options.task.c_str(), a.options.data.c_str(), a.options.folder.c_str(),
-              weights.c_str());
-  if (scores.contains("plan"))
-    std::printf("Next: ./prospect evaluate --task %s --weights %s\n", a.options.task.c_str(),
-                weights.c_str());
+  TellEnd(a, trainer, scores, weights);
 }
 
 // With the configuration that the weights were trained with, not this version's.

@@ -25,7 +25,7 @@ tool cmake <<'SH'
 echo "cmake $*" >>"$CALLS"
 mkdir -p build/release/bin
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\n' "$PWD" "${3#*=}" >build/release/CMakeCache.txt
-for target in all quick_tests prospect-{supervisor,simulator,model-server,worker,executive,bus,view,verify,collect,train,evaluate}; do
+for target in all quick_tests prospect-{supervisor,simulator,model-server,worker,executive,bus,predict,view,verify,collect,train,evaluate}; do
   echo "build $target: phony some/where"
 done >build/release/build.ninja
 SH
@@ -70,6 +70,9 @@ asked 2 demo --weights scripted
 did_not_call cmake
 called 'ninja prospect-supervisor prospect-simulator prospect-model-server prospect-worker prospect-executive prospect-bus'
 is_silent_about '^Building'
+
+asked 2 demo --task suturing --weights scripted
+called 'ninja .* prospect-predict'
 
 # What is built is told with its steps and, once that can be told, the time that is left.
 cat >"$SAYS" <<'SH'
