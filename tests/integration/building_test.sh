@@ -47,7 +47,7 @@ asked() {
   local code=$1 got=0
   shift
   rm -f "$calls"
-  said=$("$place/prospect" "$@" 2>&1 </dev/null) || got=$?
+  said=$(timeout 60 "$place/prospect" "$@" 2>&1 </dev/null) || got=$?
   [ "$got" = "$code" ] || fail "prospect $*: exit code $got instead of $code"
 }
 says() { grep -qE -- "$1" <<<"$said" || fail "no line with '$1'"; }
