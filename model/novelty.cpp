@@ -1,12 +1,11 @@
 #include "model/novelty.h"
 
-#include <torch/torch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "model/networks/libtorch.h"
 #include "model/weights.h"
 
 namespace prospect::model {

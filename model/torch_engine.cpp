@@ -1,5 +1,3 @@
-#include <torch/torch.h>
-
 #include <algorithm>
 #include <cstring>
 #include <mutex>
@@ -9,6 +7,7 @@
 #include "model/calibration.h"
 #include "model/engine.h"
 #include "model/hash.h"
+#include "model/networks/libtorch.h"
 #include "model/networks/light.h"
 #include "model/networks/networks.h"
 #include "model/row_pool.h"

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <torch/torch.h>
-
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "model/networks/libtorch.h"
 #include "model/networks/networks.h"
 #include "model/weights_error.h"
 

@@ -1,23 +1,95 @@
-# Configures and builds a preset. The release preset builds its tests only once a test run has asked for them.
-# With PROSPECT_BUILD=FOLDER the programs of that build folder are used as they are.
+# Builds what a command needs, when it is first asked for. The release preset builds its tests only once a test run has asked
+# for them. With PROSPECT_BUILD=FOLDER the programs of that build folder are used as they are.
 
-# build PRESET [tests [TARGET]]
+# What `up`, `demo`, `run` and `explain` start.
+DEPLOYED=(prospect-supervisor prospect-simulator prospect-model-server prospect-worker prospect-executive prospect-bus)
+
+# build PRESET TARGET...: brings these up to date. With TESTS=1 the tests are among what can be built.
 build() {
-  local preset=$1 tests=${2:-} target=${3:-} dir="$ROOT/build/$1" log="$ROOT/build/$1.log" configure=()
+  local preset=$1 log="$ROOT/build/$1.log"
+  shift
   [ -n "${PROSPECT_BUILD:-}" ] && return 0
-  mkdir -p "$ROOT/build"
-  [ -n "$tests" ] && configure=(-DPROSPECT_TESTS=ON)
-  [ ! -f "$dir/CMakeCache.txt" ] && [ -z "$tests" ] && configure=(-DPROSPECT_TESTS=OFF)
-  if [ ${#configure[@]} -gt 0 ] || [ ! -f "$dir/build.ninja" ]; then
-    (cd "$ROOT" && cmake --preset "$preset" "${configure[@]}") >"$log" 2>&1 ||
-      { tail -n 30 "$log" >&2; die 2 "The build could not be configured; the whole log: $log"; }
+  mkdir -p "$ROOT/build" || die 13 "cannot write to $ROOT/build"
+  # One at a time in a folder: two would write the same files.
+  {
+    flock -n 9 || { say "Waiting for another build of $ROOT/build/$preset"; flock 9; }
+    configure "$preset" "$log" 9>&- && run_ninja "$preset" "$log" "$@" 9>&-
+  } 9>"$ROOT/build/$preset.lock"
+}
+
+# need_build PROGRAM...: builds those that are not there.
+need_build() {
+  local program missing=()
+  for program; do [ -x "$BIN/$program" ] || missing+=("$program"); done
+  [ ${#missing[@]} = 0 ] || [ -n "${PROSPECT_BUILD:-}" ] && return 0
+  install_packages build run && build release "${missing[@]}"
+}
+
+cached() { sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt" 2>/dev/null; }
+
+# configure PRESET LOG: a folder that is new, that has no tests and is to have them, or that came here from elsewhere: CMake keeps
+# the place of the sources, and would go on with those of the old place.
+configure() {
+  local preset=$1 log=$2 dir="$ROOT/build/$1" tests=OFF home
+  home=$(cached "$dir" CMAKE_HOME_DIRECTORY)
+  [ -n "${TESTS:-}" ] || [ "$(cached "$dir" PROSPECT_TESTS)" = ON ] && tests=ON
+  if [ -n "$home" ] && [ ! "$home" -ef "$ROOT" ]; then
+    say "build/$preset was made for $home: configuring it anew for $ROOT"
+    rm -rf "$dir/CMakeCache.txt" "$dir/CMakeFiles" "$dir/build.ninja"
   fi
-  if [ "$(cd "$dir" && ninja -n $target 2>/dev/null | head -n 1)" = "ninja: no work to do." ]; then return 0; fi
-  say "Building ($preset); log: ${log#"$ROOT"/}"
-  if [ -t 2 ]; then
-    (cd "$dir" && ninja $target) 2>&1 | tee "$log" | awk '/^\[/ { printf "\r%-79.79s", $0 > "/dev/stderr" } END { printf "\r%79s\r", "" > "/dev/stderr" }'
-    [ "${PIPESTATUS[0]}" = 0 ]
-  else
-    (cd "$dir" && ninja $target) >"$log" 2>&1
-  fi || { grep -E 'error|FAILED' -A 8 "$log" | head -n 60 >&2; die 2 "The build failed; the whole log: $log"; }
+  [ -f "$dir/build.ninja" ] && [ "$(cached "$dir" PROSPECT_TESTS)" = "$tests" ] && return 0
+  (cd "$ROOT" && cmake --preset "$preset" "-DPROSPECT_TESTS=$tests") >"$log" 2>&1 ||
+    { tail -n 30 "$log" >&2; die 2 "The build could not be configured; the whole log: $log"; }
+}
+
+# Of the targets given, those that this build has: some need OpenCV or Java.
+known_targets() {
+  local dir=$1 target
+  shift
+  for target; do grep -q "^build $target: phony" "$dir/build.ninja" && echo "$target"; done
+}
+
+# run_ninja PRESET LOG TARGET...
+run_ninja() {
+  local preset=$1 log=$2 dir="$ROOT/build/$1" targets
+  shift 2
+  targets=$(known_targets "$dir" "$@")
+  if [ "$(wc -w <<<"$targets")" -lt $# ]; then  # a program that is new in the sources?
+    (cd "$dir" && ninja build.ninja) >"$log" 2>&1 || { tail -n 30 "$log" >&2; die 2 "The build could not be configured; the whole log: $log"; }
+    targets=$(known_targets "$dir" "$@")
+  fi
+  [ -n "$targets" ] || return 0
+  (cd "$dir" && NINJA_STATUS='[%f/%t] ' ninja $targets) 2>&1 | tee "$log" | tell_progress "$preset" "${log#"$ROOT"/}"
+  [ "${PIPESTATUS[0]}" = 0 ] && return 0
+  grep -E 'error|FAILED' -A 8 "$log" | head -n 60 >&2
+  die 2 "The build failed; the whole log: $log"
+}
+
+# tell_progress PRESET LOG: reads ninja's lines and says how far it is: on a terminal in one line that is written over, elsewhere
+# every 20 seconds. Nothing is said where nothing is built.
+tell_progress() {
+  local line at=0 total=0 begun=$SECONDS told=$SECONDS ended=
+  while [ -z "$ended" ]; do
+    read -r -t "${TELL_EVERY:-20}" line || { [ $? -gt 128 ] || ended=1; line=; }
+    # Looking for new files and asking CMake again are no building.
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*) ]] && [[ ${BASH_REMATCH[3]} != Re-* ]]; then
+      [ "$total" != 0 ] || say "Building ($1), ${BASH_REMATCH[2]} steps; log: $2"
+      at=${BASH_REMATCH[1]} total=${BASH_REMATCH[2]}
+    fi
+    [ "$total" != 0 ] || continue
+    if [ -t 2 ]; then
+      printf '\r%-79s' "building $at of $total$(time_left "$at" "$total" $((SECONDS - begun)))" >&2
+    elif [ $((SECONDS - told)) -ge "${TELL_EVERY:-20}" ] && [ -z "$ended" ]; then
+      told=$SECONDS
+      say "building $at of $total$(time_left "$at" "$total" $((SECONDS - begun)))"
+    fi
+  done
+  [ "$total" = 0 ] || [ ! -t 2 ] || printf '\r%79s\r' '' >&2
+}
+
+# time_left DONE TOTAL SECONDS: words, once enough was done to tell.
+time_left() {
+  [ "$1" -ge 5 ] && [ $(($1 * 20)) -ge "$2" ] || return 0
+  local left=$(($3 * ($2 - $1) / $1))
+  if [ "$left" -lt 60 ]; then printf ', less than a minute left'; else printf ', about %d min left' $(((left + 59) / 60)); fi
 }

@@ -9,7 +9,7 @@ add_library(prospect_train_bench_lib STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/bench/train_bench.cpp)
 prospect_target(prospect_train_bench_lib)
 target_link_libraries(prospect_train_bench_lib PUBLIC prospect_training prospect_sim)
-target_precompile_headers(prospect_train_bench_lib REUSE_FROM prospect_networks)
+prospect_precompiled(prospect_train_bench_lib prospect_training)
 add_executable(prospect-train-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench_train.cpp)
 prospect_target(prospect-train-bench)
 target_link_libraries(prospect-train-bench PRIVATE prospect_train_bench_lib CLI11::CLI11)

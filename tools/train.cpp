@@ -17,6 +17,7 @@
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
 #include "model/training/variants.h"
+#include "model/training/verdict.h"
 #include "model/weights.h"
 #include "tools/common/guarded.h"
 
@@ -115,19 +116,30 @@ nlohmann::json ScoresOf(const Arguments& a, const model::Trainer& trainer) {
   return model::ComputeScores(trainer.context(), trainer.file(), a.options.threads);
 }
 
-void Tell(const Arguments& a, const nlohmann::json& scores) {
-  model::PrintScores(scores);
+void WriteScores(const Arguments& a, const nlohmann::json& scores) {
   if (a.json_file.empty()) return;
   base::WriteJsonFile(a.json_file, scores);
+}
+
+// What was learned, where it is, and what to do with it.
+void TellEnd(const Arguments& a, const model::Trainer& trainer, const nlohmann::json& scores,
+             const std::string& weights) {
+  const char* task = a.options.task.c_str();
+  std::printf("%sWeights: %s\nCurves: %s/curves.csv\n", model::Verdict(scores).c_str(),
+              weights.c_str(), trainer.weights_folder().c_str());
+  std::printf("Every score: ./prospect train --task %s --data %s --out %s --score %s\n", task,
+              a.options.data.c_str(), a.options.folder.c_str(), weights.c_str());
+  const char* next = scores.contains("plan") ? "evaluate" : "figures";  // it takes heads to plan
+  std::printf("Next: ./prospect %s --task %s --weights %s\n", next, task, weights.c_str());
 }
 
 void Finish(const Arguments& a, const model::Trainer& trainer) {
   model::RoundToHalf(trainer.context().networks);
   const nlohmann::json scores = ScoresOf(a, trainer);
   const std::string weights = model::ExportWeights(trainer, scores);
-  Tell(a, scores);
+  WriteScores(a, scores);
   if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
-  std::printf("weights: %s\n", weights.c_str());
+  TellEnd(a, trainer, scores, weights);
 }
 
 // With the configuration that the weights were trained with, not this version's.
@@ -140,7 +152,10 @@ int ScoreOnly(const Arguments& a) {
   options.score_only = true;
   model::Trainer trainer(metadata["train"].get<model::TrainConfig>(), options);
   trainer.Load(a.scored_weights);
-  Tell(a, ScoresOf(a, trainer));
+  const nlohmann::json scores = ScoresOf(a, trainer);
+  model::PrintScores(scores);
+  std::printf("%s", model::Verdict(scores).c_str());
+  WriteScores(a, scores);
   return 0;
 }
 

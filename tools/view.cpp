@@ -16,6 +16,7 @@
 #include "sim/png.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
+#include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
 #include "tools/view/episode_file.h"
 #include "tools/view/people_view.h"
@@ -87,13 +88,18 @@ class FrameWriter : public sim::FrameSink {
  public:
   FrameWriter(sim::Task* task, const Options& options) : task_(task), options_(options) {
     if (!options.frames.empty()) std::filesystem::create_directories(options.frames);
+    const int actions = static_cast<int>(options.actions.size());
+    if (actions > 0) bar_ = std::make_unique<tools::Progress>("actions shown", actions);
     if (options.video.empty()) return;
     video_ = std::make_unique<tools::Video>(options.video, 1 / task->spec().tick_seconds,
                                             options.width, options.height);
   }
 
-  void OnFrame(const sim::Image&, const sim::Progress&) override {
+  void OnFrame(const sim::Image&, const sim::Progress& progress) override {
     const sim::Image picture = Take(*task_, options_);
+    const bool under_way = progress.action_state == sim::ActionState::kRunning ||
+                           progress.action_state == sim::ActionState::kIdle;
+    if (bar_ && !under_way) bar_->Step();
     if (video_) video_->Add(picture);
     if (options_.frames.empty()) return;
     char name[32];
@@ -102,6 +108,7 @@ class FrameWriter : public sim::FrameSink {
   }
 
   void Finish() {
+    bar_.reset();
     if (video_) video_->Finish();
   }
 
@@ -109,6 +116,7 @@ class FrameWriter : public sim::FrameSink {
   sim::Task* task_;
   const Options& options_;
   std::unique_ptr<tools::Video> video_;
+  std::unique_ptr<tools::Progress> bar_;
   int count_ = 0;
 };
 

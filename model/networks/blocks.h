@@ -1,8 +1,8 @@
 #pragma once
 
-#include <torch/torch.h>
-
 #include <string>
+
+#include "model/networks/libtorch.h"
 
 /// The layers that all image networks are made of (paper §III-A; order and slope from the authors'
 /// code). Modules follow libtorch's rules: a holder shares its module; one thread may train a

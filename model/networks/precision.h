@@ -1,6 +1,6 @@
 #pragma once
 
-#include <torch/torch.h>
+#include "model/networks/libtorch.h"
 
 namespace prospect::model {
 

@@ -12,6 +12,7 @@ namespace prospect::services {
 namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
+constexpr int kMostWidth = 1900;
 const cv::Scalar kPaper(255, 255, 255);
 const cv::Scalar kEmpty(232, 232, 232);
 
@@ -21,6 +22,12 @@ int LineHeight(const Canvas::Style& style) { return static_cast<int>(40 * style.
 }  // namespace
 
 Canvas::Canvas(int width) : sheet_(64, width, CV_8UC3, kPaper) {}
+
+int Canvas::PerRow(int count, int cell, int others) {
+  const int fit = std::max(1, (kMostWidth - others) / cell);
+  const int rows = (std::max(1, count) + fit - 1) / fit;
+  return (std::max(1, count) + rows - 1) / rows;
+}
 
 void Canvas::Grow(int height) {
   if (height <= sheet_.rows) return;

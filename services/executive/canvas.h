@@ -35,6 +35,11 @@ class Canvas {
 
   int width() const { return sheet_.cols; }
 
+  /// How many of `count` cells of `cell` pixels stand side by side: as many as fit, beside `others`
+  /// pixels, a sheet of 1,900 pixels, which a screen shows; and so that all rows hold about as
+  /// many. At least 1.
+  static int PerRow(int count, int cell, int others);
+
   /// Cuts the sheet at `height` and writes a PNG. Throws std::runtime_error.
   void Write(const std::string& path, int height);
 

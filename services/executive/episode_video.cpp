@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/disk_error.h"
+#include "tools/common/video_codec.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::services {
@@ -29,10 +30,10 @@ void WriteEpisodeVideo(const EpisodeRecord& record, const std::string& path) {
   if (record.frames.empty()) return;
   const cv::Mat first = Enlarged(record.frames.front());
   base::AtomicFile file(path);
-  cv::VideoWriter video(file.temporary(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'),
-                        record.frames_per_second, first.size());
+  cv::VideoWriter video(file.temporary(), tools::kVideoCodec, record.frames_per_second,
+                        first.size());
   if (!video.isOpened())
-    throw std::runtime_error("cannot write " + path + ": no MPEG-4 encoder, or no place to write");
+    throw std::runtime_error("cannot write " + path + ": no H.264 encoder, or no place to write");
   for (const auto& frame : record.frames) video.write(Enlarged(frame));
   video.release();
   if (!tools::IsWholeMp4(file.temporary()))

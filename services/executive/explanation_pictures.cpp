@@ -48,14 +48,17 @@ int DrawStep(Canvas& canvas, const ExplainedPlan& plan, std::size_t index, int x
 
 void WriteStrip(const ExplainedPlan& plan, const std::string& title, const std::string& words,
                 const std::string& path) {
-  const int steps = static_cast<int>(plan.steps.size());
-  Canvas canvas(std::max(kLeastWidth, 2 * kMargin + steps * (kSide + kGap)));
+  const int per_row =
+      Canvas::PerRow(static_cast<int>(plan.steps.size()), kSide + kGap, 2 * kMargin);
+  Canvas canvas(std::max(kLeastWidth, 2 * kMargin + per_row * (kSide + kGap)));
   const int width = canvas.width() - 2 * kMargin;
   int y = canvas.Paragraph(kMargin, kMargin, width, title, kTitle);
   y = canvas.Paragraph(kMargin, y, width, words, kName) + 8;
   int bottom = y;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const int x = kMargin + static_cast<int>(i) * (kSide + kGap);
+    const int column = static_cast<int>(i) % per_row;
+    if (i > 0 && column == 0) y = bottom + kGap;
+    const int x = kMargin + column * (kSide + kGap);
     bottom = std::max(bottom, DrawStep(canvas, plan, i, x, y));
   }
   canvas.Write(path, bottom + kMargin);

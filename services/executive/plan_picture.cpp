@@ -12,6 +12,7 @@ namespace {
 constexpr int kMargin = 28;
 constexpr int kGap = 22;
 constexpr int kLabelWidth = 128;
+constexpr int kSide = 256;  // of a picture
 constexpr int kLeastWidth = 1000;
 
 // Blue, green, red.
@@ -42,12 +43,11 @@ struct Column {
   std::string note;  // what was not as usual about the search before it
 };
 
-struct Layout {
-  int columns = 0;
-  int side = 256;
-  int Left(int column) const { return kMargin + kLabelWidth + column * (side + kGap); }
-  int Width() const { return std::max(kLeastWidth, Left(columns) + kMargin); }
-};
+// The left side of a band's column. A band is as many columns as stand side by side; more go on
+// below it.
+int Left(int column) { return kMargin + kLabelWidth + column * (kSide + kGap); }
+
+using Band = std::vector<Column>;
 
 std::string Number(const char* format, double value) {
   char text[48];
@@ -149,62 +149,60 @@ const Row kRows[] = {
     {&Column::observed, "What happened", "camera at the end of the action", "", kInk},
 };
 
-void DrawCell(Canvas& canvas, const Row& row, const Column& column, int x, int y, int side) {
-  if (!(column.*row.which).empty()) canvas.Image(x, y, side, column.*row.which, row.color);
-  if (row.which == &Column::far) canvas.Text(x, y + side + 3, column.far_name, kSmall);
+void DrawCell(Canvas& canvas, const Row& row, const Column& column, int x, int y) {
+  if (!(column.*row.which).empty()) canvas.Image(x, y, kSide, column.*row.which, row.color);
+  if (row.which == &Column::far) canvas.Text(x, y + kSide + 3, column.far_name, kSmall);
 }
 
 // Draws nothing when no column has a picture.
-int DrawRow(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns,
-            const Row& row, int y) {
+int DrawRow(Canvas& canvas, const Band& band, const Row& row, bool first, int y) {
   const auto shown = [&](const Column& column) { return !(column.*row.which).empty(); };
-  if (std::none_of(columns.begin(), columns.end(), shown)) return y;
+  if (std::none_of(band.begin(), band.end(), shown)) return y;
   const int below =
       canvas.Paragraph(kMargin, y, kLabelWidth - 14, row.label, {0.5, row.color, false});
   canvas.Paragraph(kMargin, below + 4, kLabelWidth - 14, row.note, kSmall);
-  if (!shown(columns.front()))
-    canvas.Paragraph(layout.Left(0), y, layout.side - 10, row.story, kSmall);
+  if (first && !shown(band.front())) canvas.Paragraph(Left(0), y, kSide - 10, row.story, kSmall);
   bool named = false;
-  for (int i = 0; i < layout.columns; ++i) {
-    const auto& column = columns[static_cast<std::size_t>(i)];
-    DrawCell(canvas, row, column, layout.Left(i), y, layout.side);
-    named = named || (row.which == &Column::far && !column.far_name.empty());
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    DrawCell(canvas, row, band[i], Left(static_cast<int>(i)), y);
+    named = named || (row.which == &Column::far && !band[i].far_name.empty());
   }
-  return y + layout.side + kGap + (named ? 12 : 0);
+  return y + kSide + kGap + (named ? 12 : 0);
 }
 
-int DrawTitles(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns, int y) {
+int DrawTitles(Canvas& canvas, const Band& band, int y) {
   int bottom = y;
-  for (int i = 0; i < layout.columns; ++i) {
-    bottom =
-        std::max(bottom, canvas.Paragraph(layout.Left(i), y, layout.side,
-                                          columns[static_cast<std::size_t>(i)].title, kStepTitle));
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    const int x = Left(static_cast<int>(i));
+    bottom = std::max(bottom, canvas.Paragraph(x, y, kSide, band[i].title, kStepTitle));
   }
   return bottom + 6;
 }
 
-int DrawFigures(Canvas& canvas, const Layout& layout, const std::vector<Column>& columns, int y) {
+int DrawFigures(Canvas& canvas, const Band& band, int y) {
   int bottom = y;
-  for (int i = 0; i < layout.columns; ++i) {
-    const auto& column = columns[static_cast<std::size_t>(i)];
-    int line = canvas.Paragraph(layout.Left(i), y, layout.side, column.verdict,
-                                {0.5, column.verdict_color, false});
-    if (!column.note.empty())
-      line =
-          canvas.Paragraph(layout.Left(i), line, layout.side, column.note, {0.42, kDoubt, false});
-    for (const auto& figure : column.figures)
-      line = canvas.Text(layout.Left(i), line, figure, kBody);
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    const Column& column = band[i];
+    const int x = Left(static_cast<int>(i));
+    int line = canvas.Paragraph(x, y, kSide, column.verdict, {0.5, column.verdict_color, false});
+    line = canvas.Paragraph(x, line, kSide, column.note, {0.42, kDoubt, false});
+    for (const auto& figure : column.figures) line = canvas.Text(x, line, figure, kBody);
     bottom = std::max(bottom, line);
   }
   return bottom + 12;
 }
 
-int DrawSteps(Canvas& canvas, const Layout& layout, const EpisodeRecord& record, int y) {
-  const auto columns = Columns(record);
-  canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
-  y = DrawTitles(canvas, layout, columns, y + 12);
-  for (const Row& row : kRows) y = DrawRow(canvas, layout, columns, row, y);
-  return DrawFigures(canvas, layout, columns, y);
+int DrawSteps(Canvas& canvas, const std::vector<Column>& columns, std::size_t per_band, int y) {
+  for (std::size_t at = 0; at < columns.size(); at += per_band) {
+    const std::size_t end = std::min(columns.size(), at + per_band);
+    const Band band(columns.begin() + static_cast<std::ptrdiff_t>(at),
+                    columns.begin() + static_cast<std::ptrdiff_t>(end));
+    canvas.Line(kMargin, canvas.width() - kMargin, y, kRule);
+    y = DrawTitles(canvas, band, y + 12);
+    for (const Row& row : kRows) y = DrawRow(canvas, band, row, at == 0, y);
+    y = DrawFigures(canvas, band, y);
+  }
+  return y;
 }
 
 std::string Chain(const std::vector<std::string>& names) {
@@ -240,15 +238,15 @@ int DrawOthers(Canvas& canvas, const EpisodeRecord& record, int y) {
   const char* heading = search.act ? "Other first actions, and why they were not chosen"
                                    : "What else was imagined, and why it was rejected";
   y = canvas.Text(kMargin, y + 12, heading, kHeading) + 6;
-  constexpr int kSide = 128, kCell = kSide + 48;
+  constexpr int kSmallSide = 128, kCell = kSmallSide + 48;
   const int per_row = std::max(1, (canvas.width() - 2 * kMargin) / kCell);
   int bottom = y, shown = 0;
   for (const auto& other : search.others) {
     if (other.imagined.empty()) continue;
     const int column = shown++ % per_row;
     if (shown > 1 && column == 0) y = bottom + 12;
-    bottom = std::max(bottom,
-                      DrawOther(canvas, other, kMargin + 2 + column * kCell, y, kSide, kCell - 16));
+    bottom = std::max(
+        bottom, DrawOther(canvas, other, kMargin + 2 + column * kCell, y, kSmallSide, kCell - 16));
   }
   return DrawRuledOut(canvas, search.others, bottom + 8) + 4;
 }
@@ -271,12 +269,12 @@ int DrawLegend(Canvas& canvas, const EpisodeRecord& record, int y) {
 }  // namespace
 
 void WritePlanPicture(const EpisodeRecord& record, const std::string& path) {
-  Layout layout;
-  layout.columns = static_cast<int>(Columns(record).size());
-  if (layout.columns > 4) layout.side = 224;
-  Canvas canvas(layout.Width());
+  const std::vector<Column> columns = Columns(record);
+  const int per_band =
+      Canvas::PerRow(static_cast<int>(columns.size()), kSide + kGap, Left(0) + kMargin);
+  Canvas canvas(std::max(kLeastWidth, Left(per_band) + kMargin));
   int y = DrawHeader(canvas, record);
-  y = DrawSteps(canvas, layout, record, y);
+  y = DrawSteps(canvas, columns, static_cast<std::size_t>(per_band), y);
   y = DrawOthers(canvas, record, y);
   y = DrawLegend(canvas, record, y);
   canvas.Write(path, y);

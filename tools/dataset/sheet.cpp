@@ -1,6 +1,7 @@
 #include "tools/dataset/sheet.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace {
 constexpr int kWidth = 128;   // a picture at least so wide, so that a name fits under it
 constexpr int kGap = 4;       // pixels
 constexpr int kCaption = 16;  // pixels
+constexpr int kTitleWidth = 760, kMostWidth = 1900;
+
+constexpr int kLine = 18;  // pixels, of the title and of the line above a row
 
 // The first frame of each segment, and the last of all.
 std::vector<int> KeyFrames(const model::Trial& trial) {
@@ -62,16 +66,43 @@ std::string Words(const Row& row, const ActionTable& table, std::size_t k) {
   return row.trial.succeeded() ? "success" : row.trial.reason;
 }
 
-void DrawRow(const model::TrialFile& file, const Row& row, const ActionTable& table, int top,
-             sim::Image* sheet) {
+std::string Title(const model::TrialFile& file, const std::string& task, std::size_t rows,
+                  std::uint64_t seed) {
+  return task + ": " + std::to_string(rows) + " of " + std::to_string(file.size()) + " trials of " +
+         std::filesystem::path(file.path()).filename().string() + ", drawn with seed " +
+         std::to_string(seed) + "; the first picture of each action, and the last";
+}
+
+// Where the pictures of a trial stand: side by side while the sheet fits a screen, then below.
+struct Grid {
+  int wide = 0, high = 0;  // a picture's place, pixels
+  int columns = 1;
+
+  Grid(const model::Trial& trial, std::size_t most) {
+    const int factor = std::max(1, kWidth / trial.width);
+    wide = trial.width * factor + kGap;
+    high = trial.height * factor + kCaption + kGap;
+    columns = std::clamp(kMostWidth / wide, 1, static_cast<int>(most));
+  }
+  int Width() const { return std::max(kTitleWidth, columns * wide); }
+  int Height(const Row& row) const {
+    const int pictures = static_cast<int>(row.frames.size());
+    return kLine + (pictures + columns - 1) / columns * high;
+  }
+};
+
+void DrawRow(const model::TrialFile& file, const Row& row, const ActionTable& table,
+             const Grid& grid, int top, sim::Image* sheet) {
+  DrawCaption("scene " + std::to_string(row.trial.seed), 2, top + 2, sheet);
+  top += kLine;
   std::vector<std::uint8_t> pixels(row.frames.size() * row.trial.frame_bytes());
   file.ReadFrames(row.index, row.frames, pixels.data());
-  int left = 0;
   for (std::size_t k = 0; k < row.frames.size(); ++k) {
     const sim::Image picture = Picture(row.trial, pixels.data() + k * row.trial.frame_bytes());
-    sim::Paste(picture, left, top, sheet);
-    DrawCaption(Words(row, table, k), left + 2, top + picture.height + 2, sheet);
-    left += picture.width + kGap;
+    const int x = static_cast<int>(k) % grid.columns * grid.wide;
+    const int y = top + static_cast<int>(k) / grid.columns * grid.high;
+    sim::Paste(picture, x, y, sheet);
+    DrawCaption(Words(row, table, k), x + 2, y + picture.height + 2, sheet);
   }
 }
 
@@ -88,17 +119,18 @@ sim::Image ContactSheet(const model::TrialFile& file, std::size_t rows, std::uin
     chosen.push_back(std::move(row));
   }
   const model::Trial& first = chosen.front().trial;
-  const int factor = std::max(1, kWidth / first.width);
-  const int step = first.height * factor + kCaption + kGap;
+  const Grid grid(first, columns);
   sim::Image sheet;
-  sheet.width = static_cast<int>(columns) * (first.width * factor + kGap);
-  sheet.height = static_cast<int>(chosen.size()) * step;
+  sheet.width = grid.Width();
+  sheet.height = kLine;
+  for (const Row& row : chosen) sheet.height += grid.Height(row);
   sheet.rgb.assign(static_cast<std::size_t>(sheet.width) * sheet.height * 3, 255);
   const ActionTable table(first);
-  int top = 0;
+  DrawCaption(Title(file, first.task, chosen.size(), seed), 2, 2, &sheet);
+  int top = kLine;
   for (const Row& row : chosen) {
-    DrawRow(file, row, table, top, &sheet);
-    top += step;
+    DrawRow(file, row, table, grid, top, &sheet);
+    top += grid.Height(row);
   }
   return sheet;
 }

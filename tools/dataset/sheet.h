@@ -8,8 +8,10 @@
 
 namespace prospect::tools {
 
-// A contact sheet: `rows` trials drawn at random by `seed`, a row each with the first picture of
-// every segment and the trial's last; the action's name under each, the verdict under the last.
+// A contact sheet: a title that says of which file, task and draw it is; `rows` trials drawn at
+// random by `seed`, a row each under its scene's seed, with the first picture of every segment and
+// the trial's last; the action's name under each, the verdict under the last. At most
+// 1,900 pixels wide: a row of more pictures goes on below.
 // Throws model::DataError if the file has no trials.
 sim::Image ContactSheet(const model::TrialFile& file, std::size_t rows, std::uint64_t seed);
 

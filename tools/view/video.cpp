@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/disk_error.h"
+#include "tools/common/video_codec.h"
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::tools {
@@ -19,8 +20,8 @@ struct Video::Impl {
 
 Video::Video(const std::string& path, double frames_per_second, int width, int height)
     : impl_(std::make_unique<Impl>(path)) {
-  impl_->writer.open(impl_->file.temporary(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'),
-                     frames_per_second, cv::Size(width, height));
+  impl_->writer.open(impl_->file.temporary(), kVideoCodec, frames_per_second,
+                     cv::Size(width, height));
   if (!impl_->writer.isOpened()) throw std::runtime_error("cannot write the video " + path);
 }
 

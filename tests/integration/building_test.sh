@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# What ./prospect builds, when, and what it says meanwhile. In the places of cmake, ninja and Debian's package list are scripts
+# that write down what they were asked for.
+#   building_test.sh ROOT
+set -uo pipefail
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+place=$work/place calls=$work/calls
+mkdir -p "$work/tools" "$place"
+cp -r "$1"/{prospect,scripts,packages.txt,config} "$place"
+unset PROSPECT_BUILD TESTS
+export CALLS=$calls SAYS=$work/says PATH=$work/tools:$PATH
+
+tool() { cat >"$work/tools/$1" && chmod +x "$work/tools/$1"; }
+tool dpkg-query <<'SH'
+#!/bin/sh
+echo 'install ok installed'
+SH
+tool ctest <<'SH'
+#!/bin/sh
+echo "ctest $*" >>"$CALLS"
+SH
+tool cmake <<'SH'
+#!/bin/bash
+echo "cmake $*" >>"$CALLS"
+mkdir -p build/release/bin
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\n' "$PWD" "${3#*=}" >build/release/CMakeCache.txt
+for target in all quick_tests prospect-{supervisor,simulator,model-server,worker,executive,bus,predict,view,verify,collect,train,evaluate}; do
+  echo "build $target: phony some/where"
+done >build/release/build.ninja
+SH
+# Builds programs that tell that they were started.
+tool ninja <<'SH'
+#!/bin/bash
+echo "ninja $*" >>"$CALLS"
+echo '[0/2] Re-checking globbed directories...'
+if [ -f "$SAYS" ]; then . "$SAYS"; else echo 'ninja: no work to do.'; fi || exit
+for target; do
+  [[ $target = prospect-* ]] || continue
+  printf '#!/bin/sh\necho "started %s $*"\n' "$target" >"bin/$target" && chmod +x "bin/$target"
+done
+SH
+
+fail() { printf '%s\nIt said:\n%s\nIt called:\n%s\n' "$*" "$said" "$(cat "$calls" 2>/dev/null)"; exit 1; }
+# asked CODE ARGUMENT...: runs ./prospect in $place; what it says is in $said.
+asked() {
+  local code=$1 got=0
+  shift
+  rm -f "$calls"
+  said=$(timeout 60 "$place/prospect" "$@" 2>&1 </dev/null) || got=$?
+  [ "$got" = "$code" ] || fail "prospect $*: exit code $got instead of $code"
+}
+says() { grep -qE -- "$1" <<<"$said" || fail "no line with '$1'"; }
+is_silent_about() { ! grep -qE -- "$1" <<<"$said" || fail "a line with '$1'"; }
+called() { grep -qxE -- "$1" "$calls" 2>/dev/null || fail "no call of '$1'"; }
+did_not_call() { ! grep -qE -- "$1" "$calls" 2>/dev/null || fail "a call of '$1'"; }
+
+# A program is built when it is first asked for, alone, and used as it is from then on.
+asked 0 view --seed 3
+called 'cmake --preset release -DPROSPECT_TESTS=OFF'
+called 'ninja prospect-view'
+says '^started prospect-view --seed 3$'
+asked 0 view --seed 3
+did_not_call 'cmake|ninja'
+
+# Where nothing is to be built, nothing is said of building, and CMake is left alone.
+echo 'exit 1' >"$work/stop"
+cp "$work/stop" "$SAYS"
+asked 2 demo --weights scripted
+did_not_call cmake
+called 'ninja prospect-supervisor prospect-simulator prospect-model-server prospect-worker prospect-executive prospect-bus'
+is_silent_about '^Building'
+
+asked 2 demo --task suturing --weights scripted
+called 'ninja .* prospect-predict'
+
+# What is built is told with its steps and, once that can be told, the time that is left.
+cat >"$SAYS" <<'SH'
+echo '[1/2] Re-running CMake...'
+for i in $(seq 1 10); do echo "[$i/20] Building CXX object $i.o"; done
+sleep 2.5
+for i in $(seq 11 20); do echo "[$i/20] Building CXX object $i.o"; done
+false
+SH
+TELL_EVERY=1 asked 2 demo --weights scripted
+says '^Building \(release\), 20 steps; log: build/release.log$'
+says '^building 10 of 20, less than a minute left$'
+grep -q '20/20' "$place/build/release.log" || fail 'the log lacks what ninja said'
+
+# What the compiler complained about is shown.
+printf 'echo "[1/9] Building CXX object a.o"; echo "a.cpp:3: error: nonsense"; false' >"$SAYS"
+asked 2 demo --weights scripted
+says 'a.cpp:3: error: nonsense'
+rm "$SAYS"
+
+# Tests are built when they are asked for, and are not forgotten then.
+asked 0 test --quick
+called 'cmake --preset release -DPROSPECT_TESTS=ON'
+called 'ninja quick_tests'
+called 'ctest .*-L quick'
+asked 0 test
+did_not_call cmake
+called 'ninja all'
+
+# A checkout that was moved or copied with its build is configured anew, tests and all.
+cp -r "$place" "$work/copy"
+place=$work/copy
+cp "$work/stop" "$SAYS"
+asked 2 demo --weights scripted
+says "^build/release was made for $work/place: configuring it anew for $work/copy$"
+called 'cmake --preset release -DPROSPECT_TESTS=ON'
+asked 2 demo --weights scripted
+did_not_call cmake
+is_silent_about anew
+rm "$SAYS"
+
+# Programs that run others bring them along; one that this build does not have is named as such.
+asked 0 verify
+called 'ninja (prospect-verify|prospect-collect|prospect-evaluate|prospect-train| )+'
+says '^started prospect-verify '
+asked 2 figures
+says 'this build has no figures: it did not find OpenCV'
+did_not_call 'ninja .*figures'
+
+# Two builds do not write into one folder.
+flock "$place/build/release.lock" sleep 1 &
+sleep 0.3
+asked 0 test
+says '^Waiting for another build'
+wait
+
+# With a build folder named, nothing is built.
+rm "$place/build/release/bin/prospect-view"
+PROSPECT_BUILD=$work/none asked 127 view
+did_not_call 'cmake|ninja'
+
+# Every command has a help of its own, and does nothing else.
+for command in demo explain up run down scale test setup; do
+  asked 0 "$command" --help
+  did_not_call .
+  says "^  ./prospect $command"
+  is_silent_about '^  ./prospect (train|bench|messages)'
+done
+asked 0 demo --seed 3 --help
+says '^  --seed N'
+is_silent_about '--no-simulator|--what-if'
+asked 0 up --help
+says '^  --no-simulator'
+asked 0 --help
+says '^  ./prospect train'
