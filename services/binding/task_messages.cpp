@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "planner/attempts.h"
 #include "services/binding/search_messages.h"
 
 namespace prospect::services {
@@ -83,9 +85,20 @@ int PlanLengthOf(const task_t& task, const search_root_t& root) {
 
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
   planner::TaskRules rules = RulesFromTask(task);
-  rules.plan_length = PlanLengthOf(task, root);
+  // Whether the task can bring the goal about is a matter of its own length: a plan that was begun
+  // anew is longer, and what counts of it as carried out need not be a beginning of any plan.
   if (!root.goals.empty()) planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
-  return rules;
+  return planner::RulesFor(std::move(rules), {{}, PlanLengthOf(task, root)});
+}
+
+std::string NamesOf(const task_t& task, const planner::Path& path) {
+  std::string names;
+  for (const std::size_t action : path) {
+    const bool known = action < task.actions.size();
+    names += (names.empty() ? "" : ", ") +
+             (known ? task.actions[action].name : "action " + std::to_string(action));
+  }
+  return names;
 }
 
 }  // namespace prospect::services
