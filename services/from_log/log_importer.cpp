@@ -57,11 +57,11 @@ void LogImporter::Finish(const RecordedRun& run) { rows_.push_back(Import(run));
 ImportRow LogImporter::Import(const RecordedRun& run) {
   ImportRow row{run.episode_id(), static_cast<std::int64_t>(run.pictures()), "refused", ""};
   try {
-    if (kept_.count(run.episode_id()))
-      throw RunError("this scene was recorded before and is kept already");
     const model::Trial trial = run.ToTrial();
+    if (kept_.count(trial.seed))
+      throw RunError("this scene was recorded before and is kept already");
     sink_(trial);
-    kept_.insert(run.episode_id());
+    kept_.insert(trial.seed);
     return {row.episode_id, trial.frames(), trial.outcome, trial.reason};
   } catch (const RunError& error) {
     row.reason = error.what();

@@ -83,7 +83,8 @@ void RecordedRun::RequireWhole(std::int64_t end) const {
 
 void RecordedRun::Describe(std::int64_t end, model::Trial& trial) const {
   const label_t& last = labels_.at(end);
-  trial.seed = static_cast<std::uint64_t>(episode_id_);
+  // What was not simulated from a seed goes by the episode's name.
+  trial.seed = static_cast<std::uint64_t>(last.seed >= 0 ? last.seed : episode_id_);
   trial.task = task_->name;
   trial.outcome = last.outcome == label_t::OUTCOME_SUCCESS ? "success" : "failure";
   trial.reason = last.reason;

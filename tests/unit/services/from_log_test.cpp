@@ -48,6 +48,7 @@ label_t Label(std::int64_t episode, std::int64_t frame,
   label_t m{};
   m.episode_id = episode;
   m.frame = frame;
+  m.seed = -1;
   m.segment = static_cast<int>((frame + 1) / 2) - 1;
   m.action = m.segment < 0 ? kActions : m.segment;
   m.previous_action = m.segment == 1 ? 0 : kActions;
@@ -201,6 +202,27 @@ TEST_F(FromLog, OfTwoRunsOfOneSceneTheFirstWholeOneIsKept) {
   EXPECT_EQ(importer_.rows()[0].reason, "frame 2 is missing");
   EXPECT_EQ(importer_.rows()[2].outcome, "success");
   EXPECT_EQ(importer_.rows()[3].reason, "this scene was recorded before and is kept already");
+}
+
+// Simulated scenes go by their seed, whatever their episodes are called.
+TEST_F(FromLog, ASimulatedSceneIsKnownByItsSeed) {
+  {
+    LogWriter log(path_);
+    log.Write(Task());
+    for (const std::int64_t episode : {7, 8}) {
+      for (std::int64_t frame = 0; frame <= 4; ++frame) {
+        log.Write(Observation(episode, frame));
+        label_t label = Label(episode, frame);
+        label.seed = 123;
+        log.Write(label);
+      }
+    }
+  }
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].seed, 123u);
+  ASSERT_EQ(importer_.rows().size(), 2u);
+  EXPECT_EQ(importer_.rows()[1].reason, "this scene was recorded before and is kept already");
 }
 
 // The label of an old scene's last frame comes behind the first picture of the next scene.
