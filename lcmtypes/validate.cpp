@@ -82,6 +82,7 @@ std::string Validate(const health_t& message) {
 std::string Validate(const label_t& message) {
   ValueCheck check;
   check.That(IsCount(message.episode_id) && IsCount(message.frame), "frame: negative")
+      .That(message.seed >= -1, "seed: below -1")
       .That(InRange(message.action, 0, message.num_present), "action: out of table")
       .That(InRange(message.previous_action, 0, message.num_present),
             "previous_action: out of table")
@@ -119,6 +120,8 @@ std::string Validate(const sim_command_t& message) {
       .That(InRange<int>(message.kind, sim_command_t::KIND_RESET, sim_command_t::KIND_RESUME),
             "kind: unknown")
       .That(IsCount(message.seed), "seed: negative")
+      .That(message.kind != sim_command_t::KIND_RESET || message.episode_id >= 1,
+            "episode_id: below 1")
       .That(InRange(message.objects, 0, kMaxActions), "objects: out of range")
       .That(InRange(message.legs, 0, kMaxPathLength), "legs: out of range");
   return check.Result();

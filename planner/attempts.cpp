@@ -48,6 +48,11 @@ TaskRules RulesFor(TaskRules rules, const Attempt& attempt) {
   return rules;
 }
 
+bool CanBeDone(const TaskRules& rules, const Attempt& attempt) {
+  return attempt.plan_length <= kMaxPathLength &&
+         !RulesFor(rules, attempt).AllowedActions(attempt.executed, {}).empty();
+}
+
 Attempts::Attempts(TaskRules rules, int most, Disbelief disbelief, double below)
     : rules_(std::move(rules)),
       most_(most),
@@ -88,7 +93,8 @@ void Attempts::Follow(const Path& path) {
 }
 
 bool Attempts::MayBeginAnewNow() const {
-  return MayStill() && MayBeginAnew(rules_, attempt_.executed);
+  return MayStill() && MayBeginAnew(rules_, attempt_.executed) &&
+         CanBeDone(rules_, BegunAnew(rules_, attempt_));
 }
 
 bool Attempts::heeds_surprises() const {

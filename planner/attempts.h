@@ -32,6 +32,10 @@ Attempt BegunAnew(const TaskRules& rules, const Attempt& attempt);
 // `rules` for a search of this attempt: its plan_length, prepared for it.
 TaskRules RulesFor(TaskRules rules, const Attempt& attempt);
 
+// Whether the rules leave anything to begin anew with: an action that leads on to a complete plan,
+// with the goal met where there is one, in no more actions than a path may have.
+bool CanBeDone(const TaskRules& rules, const Attempt& attempt);
+
 // What to do next, and the search that says so.
 struct NextStep {
   enum class Kind {
@@ -65,14 +69,15 @@ class Attempts {
   using SearchFor = std::function<Plan(const Attempt&)>;
 
   // Searches what is left of the attempt and acts on it, unless it is lost and something better can
-  // be done: where one may begin anew, that is searched, too, and taken if it scores more; on the
-  // way there the plan that was last acted on is carried on, since its path was imagined free.
-  // Before the first action there is nothing of the kind: a refusal stays a refusal.
-  // `surprise`: how far what is seen is from what the plan imagined for now. Beyond Disbelief the
-  // score of going on is not believed, and whatever may be begun anew is; but not before the last
-  // action that allows it, when all has been seen that there is to see. What surprised after an
-  // earlier action is remembered until then: a block that was never lifted is not on a tower,
-  // though a search that begins without it in the hand may find another plan and surprise no more.
+  // be done: where one may begin anew, and a plan of the task (and its goal) is left, that is
+  // searched, too, and taken if it scores more; on the way there the plan that was last acted on is
+  // carried on, since its path was imagined free. Before the first action there is nothing of the
+  // kind: a refusal stays a refusal. `surprise`: how far what is seen is from what the plan
+  // imagined for now. Beyond Disbelief the score of going on is not believed, and whatever may be
+  // begun anew is; but not before the last action that allows it, when all has been seen that there
+  // is to see. What surprised after an earlier action is remembered until then: a block that was
+  // never lifted is not on a tower, though a search that begins without it in the hand may find
+  // another plan and surprise no more.
   NextStep Next(const SearchFor& search, double surprise = 0);
 
   // Whether a surprise would matter, now or later.

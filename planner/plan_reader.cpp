@@ -1,11 +1,14 @@
 #include "planner/plan_reader.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <tuple>
+
+#include "planner/apart.h"
 
 namespace prospect::planner {
 namespace {
+
+constexpr int kDigits = 3;
 
 // A future before it is written out: a node, and for one that was not permitted the action from
 // there.
@@ -42,7 +45,6 @@ class Reader {
   std::vector<Future> WriteOut(const std::vector<Candidate>& list, std::size_t skip) const;
   void Conclude();
   void ConcludeWithoutEnd();
-  std::string Tally() const;
 
   const PlanSource& s_;
   std::vector<char> live_;            // may be followed further, or is a complete future
@@ -62,10 +64,14 @@ bool Further(const Candidate& a, const Candidate& b) {
   return a_size != b_size ? a_size > b_size : Better(a, b);
 }
 
-std::string Fixed(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", x);
-  return text;
+std::string After(const char* words, const std::string& text) {
+  return text.empty() ? "" : words + text;
+}
+
+// "2 with an action that would not finish (f < 0.100)"; nothing for none.
+std::string Counted(std::int64_t count, const char* what, const char* bound, double limit) {
+  if (count == 0) return "";
+  return std::to_string(count) + what + " (" + bound + " < " + Fixed(limit, kDigits) + ")";
 }
 
 bool Reader::Counted(PathId id) const {
@@ -204,14 +210,6 @@ std::vector<Future> Reader::WriteOut(const std::vector<Candidate>& list, std::si
   return futures;
 }
 
-std::string Reader::Tally() const {
-  return std::to_string(plan_.not_permitted) + " not permitted (p < " +
-         Fixed(s_.parameters->p_min) + "), " + std::to_string(plan_.not_done) +
-         " with an action that would not finish (f < " + Fixed(s_.parameters->c_done) + "), " +
-         std::to_string(plan_.low_value) + " without hope (V < " + Fixed(s_.parameters->v_failed) +
-         ")";
-}
-
 void Reader::Conclude() {
   std::sort(good_.begin(), good_.end(), Better);
   std::sort(bad_.begin(), bad_.end(), Further);
@@ -228,6 +226,7 @@ void Reader::Conclude() {
 // No future may be carried out: a refusal if all of them are known to fail, otherwise more samples
 // are needed.
 void Reader::ConcludeWithoutEnd() {
+  const std::string tally = Tally(plan_, *s_.parameters);
   const auto low = std::min_element(bad_.begin(), bad_.end(), [](const auto& a, const auto& b) {
     const bool a_low = a.rejection == Rejection::kLowScore;
     const bool b_low = b.rejection == Rejection::kLowScore;
@@ -236,23 +235,36 @@ void Reader::ConcludeWithoutEnd() {
   if (plan_.low_score > 0) {
     plan_.status = PlanStatus::kRefused;
     plan_.best = WriteOut(*low);
+    const double score = low->score, threshold = s_.parameters->refusal_threshold;
     plan_.reason = "the best of " + std::to_string(plan_.complete_futures) +
-                   " complete futures scores " + Fixed(low->score) + ", below the threshold of " +
-                   Fixed(s_.parameters->refusal_threshold) + "; others: " + Tally();
+                   " complete futures scores " + Apart(score, threshold, kDigits) +
+                   ", below the threshold of " + Apart(threshold, score, kDigits) +
+                   After("; others: ", tally);
     return;
   }
   if (open_.empty()) {
     plan_.status = PlanStatus::kRefused;
-    plan_.reason = "every future fails: " + Tally();
+    plan_.reason =
+        tally.empty() ? "the task's rules allow no action here" : "every future fails: " + tally;
     return;
   }
   plan_.status = PlanStatus::kIncomplete;
   plan_.best = WriteOut(*std::min_element(open_.begin(), open_.end(), Further));
   plan_.reason = "no future was followed to its end, " + std::to_string(plan_.untried) +
-                 " actions are untried: give more samples; so far: " + Tally();
+                 " actions are untried: give more samples" + After("; so far: ", tally);
 }
 
 }  // namespace
+
+std::string Tally(const Plan& plan, const SearchParameters& parameters) {
+  std::string text;
+  for (const std::string& item :
+       {Counted(plan.not_permitted, " not permitted", "p", parameters.p_min),
+        Counted(plan.not_done, " with an action that would not finish", "f", parameters.c_done),
+        Counted(plan.low_value, " without hope", "V", parameters.v_failed)})
+    text += item.empty() ? "" : (text.empty() ? "" : ", ") + item;
+  return text;
+}
 
 Plan ReadPlan(const PlanSource& source) { return Reader(source).Read(); }
 

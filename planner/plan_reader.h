@@ -3,6 +3,8 @@
 // by action index.
 #pragma once
 
+#include <string>
+
 #include "planner/evaluation_table.h"
 #include "planner/plan.h"
 #include "planner/search_parameters.h"
@@ -27,5 +29,9 @@ struct PlanSource {
 // p < p_min, f < c_done or V < v_failed at any step are rejected; at the root neither f nor V is
 // tested.
 Plan ReadPlan(const PlanSource& source);
+
+// How many futures were given up for what: "2 with an action that would not finish (f < 0.100), 1
+// without hope (V < 0.020)". Empty where none was.
+std::string Tally(const Plan& plan, const SearchParameters& parameters);
 
 }  // namespace prospect::planner

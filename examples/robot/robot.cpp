@@ -57,6 +57,9 @@ class Robot {
     if (start && (c->action < 0 || c->action >= kHere)) refusal = "there is no such thing here";
     if (start && running()) refusal = "another action is running";
     if (c->episode_id != status_.episode_id) refusal = "meant for another episode";
+    // Whoever's command was carried out first holds the robot; others are told so.
+    const bool busy = status_.holder_id != 0 && status_.holder_id != c->executive_id;
+    if (busy) refusal = "busy, held by executive " + std::to_string(status_.holder_id);
     const action_status_t before = status_;
     status_.executive_id = c->executive_id;
     status_.command_id = c->command_id;
@@ -64,13 +67,18 @@ class Robot {
     if (start) status_.state = action_status_t::STATE_RUNNING;
     if (!start && running()) status_.state = action_status_t::STATE_CANCELLED;
     if (!refusal.empty()) status_.state = action_status_t::STATE_REFUSED;
-    if (start && refusal.empty()) status_.action = c->action, began_ = heard_ = Now();
+    if (start && refusal.empty()) {
+      status_.action = c->action, status_.holder_id = c->executive_id;
+      began_ = heard_ = Now();
+    }
     Publish("ACTION_STATUS", &status_);
-    if (!refusal.empty() && before.state == action_status_t::STATE_RUNNING) status_ = before;
+    const bool apart = busy || before.state == action_status_t::STATE_RUNNING;
+    if (!refusal.empty() && apart) status_ = before;
   }
 
   void OnHealth(const lcm::ReceiveBuffer*, const std::string&, const health_t* h) {
-    if (h->instance_id == status_.executive_id) heard_ = Now();
+    if (h->instance_id != status_.holder_id) return;
+    heard_ = h->state == health_t::STATE_DRAINING ? Now() - 2 * kSilent : Now();  // it leaves
   }
 
   void Tick() {
@@ -82,6 +90,7 @@ class Robot {
       Look();
       Publish("ACTION_STATUS", &status_);  // at every change, and at least at 2 Hz
     }
+    if (Now() - heard_ > kSilent) status_.holder_id = 0;  // free for another executive
     if (ticks_++ % 5 == 0) Publish("ACTION_STATUS", &status_);
     if (ticks_ % 10 != 1) return;
     Look();  // the last picture again

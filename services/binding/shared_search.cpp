@@ -5,6 +5,7 @@
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/statistics_messages.h"
+#include "services/binding/task_messages.h"
 
 namespace prospect::services {
 
@@ -48,11 +49,11 @@ void SharedSearch::Hear(const search_statistics_t& statistics, std::int64_t now_
   search_->Merge(FromMessage(statistics), now_us);
 }
 
-std::string Summary(const planner::Plan& plan) {
+std::string Summary(const planner::Plan& plan, const task_t& task) {
   if (!plan.ok()) return std::string(ToString(plan.status)) + ": " + plan.reason;
   char score[32];
   std::snprintf(score, sizeof score, "%.6f", plan.best.score);
-  return "plan " + planner::ToString(plan.best.path) + " score " + score;
+  return "plan " + NamesOf(task, plan.best.path) + "; score " + score;
 }
 
 }  // namespace prospect::services

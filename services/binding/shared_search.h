@@ -51,7 +51,8 @@ class SharedSearch {
 /// How long a writer's visits in flight hold without news, milliseconds.
 inline constexpr int kLeaseMs = 1000;
 
-/// One line for logs and HEALTH: the plan's actions and score, or why there is none.
-std::string Summary(const planner::Plan& plan);
+/// One line for logs and HEALTH: the names of the plan's actions and its score, or why there is
+/// none.
+std::string Summary(const planner::Plan& plan, const task_t& task);
 
 }  // namespace prospect::services

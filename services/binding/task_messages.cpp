@@ -96,4 +96,14 @@ planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) 
   return planner::RulesFor(std::move(rules), {{}, plan_length});
 }
 
+std::string NamesOf(const task_t& task, const planner::Path& path) {
+  std::string names;
+  for (const std::size_t action : path) {
+    const bool known = action < task.actions.size();
+    names += (names.empty() ? "" : ", ") +
+             (known ? task.actions[action].name : "action " + std::to_string(action));
+  }
+  return names;
+}
+
 }  // namespace prospect::services

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lcmtypes/messages.h"
 #include "planner/goal.h"
+#include "planner/path.h"
 #include "planner/task_rules.h"
 
 namespace prospect::services {
@@ -28,6 +30,9 @@ std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
 /// After how many actions the plan of this search is complete: the task's plan_length, or the
 /// root's parameter of that name, which a plan that was begun anew carries (planner/attempts.h).
 int PlanLengthOf(const task_t& task, const search_root_t& root);
+
+/// The names of a path's actions: "align(green), grasp(green)".
+std::string NamesOf(const task_t& task, const planner::Path& path);
 
 /// The rules of one search: the task's, with its own plan length, and the goal of its SEARCH_ROOT,
 /// which the task's own plans can bring about (prepared then). Throws as RulesFromTask, and

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "services/common/clock.h"
+#include "services/common/ids.h"
+#include "services/common/robot_hold.h"
 #include "services/common/signals.h"
 
 namespace prospect::services {
@@ -47,6 +49,8 @@ RobotCheck::RobotCheck(Bus& bus) : bus_(bus), monitor_(bus), health_(bus, "execu
   });
   bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
     status_ = status;
+    if (status.state == action_status_t::STATE_REFUSED)
+      refusals_[status.executive_id] = status.reason;
     status_ms_.push_back(SteadyMs());
   });
 }
@@ -81,12 +85,23 @@ std::vector<RobotFinding> RobotCheck::Run() {
   health_.SetState(health_t::STATE_READY);
   CheckTask();
   if (!task_) return findings_;
+  RequireFree();
   CheckStillness();
   CheckRefusals();
   CheckAction();
+  CheckHold();
   CheckCancel();
   CheckSilence();
+  health_.SetState(health_t::STATE_DRAINING);
+  health_.PublishNow();  // so that the robot is free at once
   return findings_;
+}
+
+// A holder that died holds for 3 s more.
+void RobotCheck::RequireFree() {
+  Until([&] { return status_.has_value(); }, 1.5);
+  const bool free = Until([&] { return !status_ || HeldBy(0); }, 4);
+  if (!free) throw ExitError(kExitServiceLost, BusyText(status_->holder_id));
 }
 
 void RobotCheck::CheckTask() {
@@ -185,7 +200,8 @@ void RobotCheck::NewScene() {
   reset.sender_id = health_.instance_id();
   reset.command_id = ++last_scene_;
   reset.kind = sim_command_t::KIND_RESET;
-  reset.seed = before + 1;
+  reset.seed = last_scene_;
+  reset.episode_id = RandomId();
   const bool new_scene = Until([&] { return episode_id_ != before; }, 1.5,
                                [&] {
                                  reset.utime = UtimeNow();
@@ -254,6 +270,39 @@ void RobotCheck::CheckAction() {
   Note("frame numbers grow one by one", in_order, std::to_string(pictures_.size()) + " pictures");
   Note("pictures of an action come one a tick", paced,
        "a tick is " + Number(task_->tick_seconds) + " s");
+}
+
+// Whether a START of another executive is refused, with a reason.
+bool RobotCheck::RefusesAnother() {
+  action_command_t command = Command(action_command_t::KIND_START, std::max(0, willing_));
+  command.executive_id = RandomId();
+  command.command_id = 0;
+  return Until([&] { return !refusals_[command.executive_id].empty(); }, kNoticeSeconds,
+               [&] {
+                 command.utime = UtimeNow();
+                 ++command.command_id;  // a refusal is told once
+                 return bus_.Publish(command);
+               });
+}
+
+void RobotCheck::CheckHold() {
+  const char* holder = "ACTION_STATUS says which executive holds the robot";
+  const char* others = "a START of another executive is refused meanwhile, with a reason";
+  const char* leaving = "the robot is free again when its executive says that it leaves";
+  if (willing_ < 0) {
+    for (const char* rule : {holder, others, leaving}) NotTried(rule, "no action could be started");
+    return;
+  }
+  Note(holder, Until([&] { return HeldBy(health_.instance_id()); }, 1));
+  Note(others, RefusesAnother());
+  health_.SetState(health_t::STATE_DRAINING);
+  const bool freed = Until([&] { return HeldBy(0); }, 2,
+                           [&] {
+                             health_.PublishNow();
+                             return true;
+                           });
+  Note(leaving, freed);
+  health_.SetState(health_t::STATE_READY);
 }
 
 void RobotCheck::CheckCancel() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,14 @@ struct RobotFinding {
 };
 
 /// Tries a robot (or the simulator) on the bus: what it says of itself while it holds still, and
-/// what it does with commands. It moves: actions are really started. Plays the executive. One
-/// thread; the bus must outlive it.
+/// what it does with commands. It moves: actions are really started. Plays the executive, and holds
+/// the robot as one. One thread; the bus must outlive it.
 class RobotCheck {
  public:
   explicit RobotCheck(Bus& bus);
 
-  /// Runs all checks, in about twenty seconds and the time of a few actions.
+  /// Runs all checks, in about twenty seconds and the time of a few actions. Throws
+  /// kExitServiceLost, and starts nothing, where another executive holds the robot.
   std::vector<RobotFinding> Run();
 
  private:
@@ -40,6 +42,8 @@ class RobotCheck {
   void CheckStillness();
   void CheckRefusals();
   void CheckAction();
+  void CheckHold();
+  bool RefusesAnother();
   void CheckCancel();
   void CheckSilence();
 
@@ -48,6 +52,8 @@ class RobotCheck {
   bool StartAny();
   bool StartLasting();
   void NewScene();
+  void RequireFree();
+  bool HeldBy(std::int64_t holder) const { return status_ && status_->holder_id == holder; }
   bool Named(std::int64_t command_id) const;
   bool Running() const;
 
@@ -59,6 +65,7 @@ class RobotCheck {
   std::vector<observation_t> pictures_;  // without their pixels
   std::vector<std::int64_t> status_ms_;
   std::optional<action_status_t> status_;
+  std::map<std::int64_t, std::string> refusals_;  // by executive: the latest reason
   std::int64_t episode_id_ = 0;
   std::int64_t last_id_ = 0, last_scene_ = 0;
   int willing_ = -1;  // an action that was not refused

@@ -1,6 +1,6 @@
 #include "services/executive/action_runner.h"
 
-#include <spdlog/spdlog.h>
+#include "services/binding/task_messages.h"
 
 namespace prospect::services {
 namespace {
@@ -33,6 +33,10 @@ action_command_t ActionRunner::NextCommand(std::int8_t kind, int action) {
   return command;
 }
 
+std::string ActionRunner::NameOf(const action_command_t& command) const {
+  return NamesOf(*talk_.view().task(), {static_cast<std::uint8_t>(command.action)});
+}
+
 bool ActionRunner::Named(std::int64_t command_id) const {
   const auto& status = talk_.view().status();
   return status && status->executive_id == talk_.id() && status->command_id == command_id;
@@ -47,7 +51,7 @@ action_status_t ActionRunner::CarryOut(int action) {
   try {
     Start(command);
     AwaitEnd(command);
-  } catch (const ExitError&) {
+  } catch (...) {
     CancelQuietly();
     throw;
   }
@@ -68,12 +72,10 @@ void ActionRunner::AwaitEnd(const action_command_t& command) {
     return Ended(command.command_id) || SteadyMs() - talk_.view().status_heard_ms() > kSilentMs;
   };
   if (!talk_.Until(quiet_or_ended, deadline_ms - SteadyMs())) {
-    throw ExitError(kExitTimeout,
-                    "action " + std::to_string(command.action) + " did not end in time; cancelled");
+    throw ExitError(kExitTimeout, NameOf(command) + " did not end in time; cancelled");
   }
   if (!Ended(command.command_id)) {
-    throw ExitError(kExitServiceLost, "ACTION_STATUS fell silent for 3 s while action " +
-                                          std::to_string(command.action) +
+    throw ExitError(kExitServiceLost, "ACTION_STATUS fell silent for 3 s while " + NameOf(command) +
                                           " ran: is the simulator alive?");
   }
 }

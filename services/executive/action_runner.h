@@ -18,7 +18,7 @@ class ActionRunner {
   /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled
   /// or refused. Throws kExitServiceLost when whoever carries actions out falls silent,
   /// kExitTimeout when it takes no notice of the command or the action never ends, and
-  /// kExitInterrupted after a stop signal; the action is cancelled in each case.
+  /// kExitInterrupted after a stop signal; whatever is thrown, the action is cancelled first.
   action_status_t CarryOut(int action);
 
   /// Commands sent so far, repeats left out.
@@ -26,6 +26,7 @@ class ActionRunner {
 
  private:
   action_command_t NextCommand(std::int8_t kind, int action);
+  std::string NameOf(const action_command_t& command) const;
   bool Named(std::int64_t command_id) const;
   bool Ended(std::int64_t command_id) const;
   void Start(const action_command_t& command);

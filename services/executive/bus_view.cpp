@@ -1,6 +1,7 @@
 #include "services/executive/bus_view.h"
 
 #include "services/binding/calibration_messages.h"
+#include "services/binding/task_messages.h"
 #include "services/common/clock.h"
 
 namespace prospect::services {
@@ -25,6 +26,7 @@ BusView::BusView(Bus& bus) : bus_(bus) {
   bus.Subscribe<task_t>([this](const task_t& task) {
     world_heard_ms_ = SteadyMs();
     task_ = task;
+    task_hash_ = TaskHash(task);
   });
   bus.Subscribe<model_info_t>(
       [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
@@ -33,16 +35,8 @@ BusView::BusView(Bus& bus) : bus_(bus) {
   });
   bus.Subscribe<observation_t>(
       [this](const observation_t& observation) { OnObservation(observation); });
-  bus.Subscribe<action_status_t>([this](const action_status_t& status) {
-    world_heard_ms_ = SteadyMs();
-    if (status.episode_id != episode_id_) return;
-    status_ = status;
-    status_heard_ms_ = SteadyMs();
-  });
-  bus.Subscribe<label_t>([this](const label_t& label) {
-    world_heard_ms_ = SteadyMs();
-    if (label.episode_id == episode_id_) label_ = label;
-  });
+  bus.Subscribe<action_status_t>([this](const action_status_t& status) { OnStatus(status); });
+  bus.Subscribe<label_t>([this](const label_t& label) { OnLabel(label); });
 }
 
 const model::CalibrationSample* BusView::calibration(std::int64_t weights_hash) const {
@@ -50,8 +44,14 @@ const model::CalibrationSample* BusView::calibration(std::int64_t weights_hash) 
   return found == calibrations_.end() ? nullptr : &found->second;
 }
 
+void BusView::FollowSeed(std::int64_t seed) {
+  Follow(-1);
+  seed_ = seed;
+}
+
 void BusView::Follow(std::int64_t episode_id) {
   episode_id_ = episode_id;
+  seed_ = -1;
   latest_.reset();
   status_.reset();
   label_.reset();
@@ -68,6 +68,25 @@ std::string BusView::PictureDefects() const {
   return defects;
 }
 
+void BusView::OnStatus(const action_status_t& status) {
+  world_heard_ms_ = SteadyMs();
+  holder_id_ = status.holder_id;
+  if (status.episode_id != episode_id_) return;
+  status_ = status;
+  status_heard_ms_ = SteadyMs();
+}
+
+// The simulator says a label before its picture, so none of the episode's pictures is missed.
+void BusView::OnLabel(const label_t& label) {
+  world_heard_ms_ = SteadyMs();
+  if (seed_ >= 0 && label.seed == seed_ && label.episode_id != episode_id_) {
+    const std::int64_t seed = seed_;
+    Follow(label.episode_id);
+    seed_ = seed;
+  }
+  if (label.episode_id == episode_id_) label_ = label;
+}
+
 void BusView::OnObservation(const observation_t& observation) {
   world_heard_ms_ = SteadyMs();
   if (!task_) return;
@@ -76,7 +95,7 @@ void BusView::OnObservation(const observation_t& observation) {
               SizeText(task_->image_width, task_->image_height);
     return bus_.CountRefused(ChannelOf<observation_t>(), kMisfit);
   }
-  if (episode_id_ < 0) Follow(observation.episode_id);
+  if (episode_id_ < 0 && seed_ < 0) Follow(observation.episode_id);
   if (observation.episode_id != episode_id_) return;
   if (frames_.size() < kMostFrames) frames_[observation.frame] = PictureOf(observation);
   if (!latest_ || observation.frame >= latest_->frame) latest_ = observation;

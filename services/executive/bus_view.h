@@ -24,13 +24,20 @@ class BusView {
   void Follow(std::int64_t episode_id);
   /// Takes whatever episode the next picture belongs to.
   void FollowAny() { Follow(-1); }
+  /// Takes the episode of the latest LABEL that says this seed, and none before one does.
+  void FollowSeed(std::int64_t seed);
 
   const std::optional<task_t>& task() const { return task_; }
+  /// TaskHash of the latest TASK, whatever that message says its hash is; 0 before the first.
+  std::int64_t task_hash() const { return task_hash_; }
   std::int64_t episode_id() const { return episode_id_; }
   /// Latest picture of the episode, by frame number; nothing before the first. A picture counts
   /// once TASK is known and says its size; one of another size is refused and counted.
   const std::optional<observation_t>& latest() const { return latest_; }
   const std::optional<action_status_t>& status() const { return status_; }
+  /// Who holds the robot, by the latest ACTION_STATUS of any episode: 0 where nobody does; nothing
+  /// before the first.
+  const std::optional<std::int64_t>& holder_id() const { return holder_id_; }
   /// When `status` was heard, on SteadyMs()'s clock.
   std::int64_t status_heard_ms() const { return status_heard_ms_; }
   /// When anything that a simulator or robot says (HEALTH apart) was last heard, on SteadyMs()'s
@@ -48,13 +55,18 @@ class BusView {
 
  private:
   void OnObservation(const observation_t& observation);
+  void OnStatus(const action_status_t& status);
+  void OnLabel(const label_t& label);
 
   Bus& bus_;
 
   ServerList servers_;
   std::map<std::int64_t, model::CalibrationSample> calibrations_;  // by weights hash
   std::optional<task_t> task_;
+  std::int64_t task_hash_ = 0;
   std::int64_t episode_id_ = -1;
+  std::int64_t seed_ = -1;  // of the episode to follow; -1: it is known by its id, or any will do
+  std::optional<std::int64_t> holder_id_;
   std::optional<observation_t> latest_;
   std::optional<action_status_t> status_;
   std::int64_t status_heard_ms_ = 0;

@@ -96,41 +96,55 @@ std::string Mark(const Axes& axes, const std::vector<model::ThresholdEffect>& cu
 
 }  // namespace
 
-Confidence ConfidenceOf(const model::CalibrationSample& sample, double score,
-                        const std::string& rule, const std::map<std::string, double>& parameters,
-                        bool goal) {
-  Confidence confidence;
-  confidence.sample = static_cast<int>(sample.scenes.size());
-  confidence.curve = model::RiskCoverageCurve(sample);
+std::optional<Confidence> ConfidenceOf(const model::CalibrationSample& sample, double score,
+                                       double threshold) {
+  model::CalibrationSample attempted;
+  for (const auto& scene : sample.scenes) {
+    if (scene.attempted() && scene.score >= threshold) attempted.scenes.push_back(scene);
+  }
+  const model::SuccessCurve success(attempted);
+  if (success.empty() || score < success.blocks().front().low ||
+      score > success.blocks().back().high)
+    return std::nullopt;
+  const model::SuccessBlock& block = success.At(score);
+  return Confidence{block.scenes, block.solved, block.low, block.high};
+}
+
+RefusalTerms TermsOf(const model::CalibrationSample& sample, const std::string& rule,
+                     const std::map<std::string, double>& parameters, bool goal) {
+  RefusalTerms terms;
+  terms.sample = static_cast<int>(sample.scenes.size());
+  terms.curve = model::RiskCoverageCurve(sample);
   std::vector<std::string> differences = model::Differences(sample, rule, parameters);
   if (goal) differences.emplace_back("a goal, where the calibration had the task's own");
   if (!differences.empty())
-    confidence.caveat = "The calibration does not cover this search: " + Listed(differences) + ".";
-  const model::SuccessCurve success(sample);
-  if (success.empty()) return confidence;
-  const model::SuccessBlock& block = success.At(score);
-  confidence.scenes = block.scenes;
-  confidence.solved = block.solved;
-  confidence.low = block.low;
-  confidence.high = block.high;
-  return confidence;
+    terms.caveat = "The calibration does not cover this search: " + Listed(differences) + ".";
+  return terms;
 }
 
-std::string SuccessSentence(const Confidence& confidence, bool act) {
-  if (confidence.scenes == 0) return "";
-  return std::string(act ? "Succeeds" : "Carried out, it would succeed") + " in about " +
-         Text("%.0f %%", 100 * confidence.share()) + ": of " + std::to_string(confidence.scenes) +
-         " calibration scenes whose plan scored " + Text("%.3f", confidence.low) + " to " +
-         Text("%.3f", confidence.high) + ", " + std::to_string(confidence.solved) + " were solved.";
+std::string SuccessSentence(const Confidence& confidence) {
+  return "Succeeds in about " + Text("%.0f %%", 100 * confidence.share()) + ": of " +
+         std::to_string(confidence.scenes) + " calibration scenes whose plan scored " +
+         Text("%.3f", confidence.low) + " to " + Text("%.3f", confidence.high) + ", " +
+         std::to_string(confidence.solved) + " were solved.";
 }
 
-std::string RiskChart(const Confidence& confidence, double threshold) {
-  if (confidence.curve.size() < 2) return "";
-  const Axes axes = AxesFor(confidence.curve);
+std::vector<std::string> ConfidenceSentences(const std::optional<Confidence>& confidence,
+                                             const std::optional<RefusalTerms>& terms) {
+  std::vector<std::string> sentences;
+  if (confidence) sentences.push_back(SuccessSentence(*confidence));
+  if (!terms) return sentences;
+  sentences.insert(sentences.end(), terms->promises.begin(), terms->promises.end());
+  if (!sentences.empty() && !terms->caveat.empty()) sentences.push_back(terms->caveat);
+  return sentences;
+}
+
+std::string RiskChart(const RefusalTerms& terms, double threshold) {
+  if (terms.curve.size() < 2) return "";
+  const Axes axes = AxesFor(terms.curve);
   return "<svg width=\"" + std::to_string(kWidth) + "\" height=\"" + std::to_string(kHeight) +
          "\" role=\"img\" aria-label=\"share that fails against share that is attempted\">\n" +
-         Grid(axes) + Steps(axes, confidence.curve) + Mark(axes, confidence.curve, threshold) +
-         "</svg>\n";
+         Grid(axes) + Steps(axes, terms.curve) + Mark(axes, terms.curve, threshold) + "</svg>\n";
 }
 
 }  // namespace prospect::services

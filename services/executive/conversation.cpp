@@ -2,14 +2,18 @@
 
 #include <algorithm>
 
+#include "services/common/robot_hold.h"
 #include "services/common/signals.h"
 
 namespace prospect::services {
 namespace {
 
 constexpr std::int64_t kLongestWaitMs = 20;
-// HEALTH comes once a second.
+// HEALTH comes once a second, ACTION_STATUS twice.
 constexpr std::int64_t kHealthMs = 1500;
+constexpr std::int64_t kStatusMs = 1500;
+// A holder that died holds for 3 s, and its end is told within another.
+constexpr std::int64_t kFreeMs = RobotHold::kSilentMs + 1000;
 
 }  // namespace
 
@@ -23,6 +27,8 @@ void Conversation::Turn(int wait_ms) {
   health_.Tick();
   if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");
   RequireWorld();
+  RequireClaim();
+  RequireTask();
 }
 
 std::set<std::int64_t> Conversation::LiveWorlds() const {
@@ -53,6 +59,37 @@ void Conversation::RequireWorld() const {
                     "the simulator or robot fell silent for 3 s: see its log, start it again "
                     "(./prospect up), then run the episode again");
   }
+}
+
+void Conversation::ClaimRobot() {
+  Until([this] { return view_.holder_id().has_value(); }, kStatusMs);
+  Until([this] { return !HeldByAnother() || monitor_.IsAlive(*view_.holder_id()); }, kFreeMs);
+  claims_robot_ = true;
+  RequireClaim();
+}
+
+bool Conversation::HeldByAnother() const {
+  const std::int64_t holder = view_.holder_id().value_or(0);
+  return holder != 0 && holder != id();
+}
+
+void Conversation::RequireClaim() const {
+  if (!claims_robot_ || !HeldByAnother()) return;
+  const HealthMonitor::Peer* peer = monitor_.Find(*view_.holder_id());
+  const std::string who =
+      peer ? " (pid " + std::to_string(peer->health.pid) + " on " + peer->health.host + ")" : "";
+  throw ExitError(kExitServiceLost, BusyText(*view_.holder_id()) + who +
+                                        ": wait until its episode is over, or stop it");
+}
+
+void Conversation::HoldTask() { task_hash_ = view_.task_hash(); }
+
+void Conversation::RequireTask() const {
+  if (task_hash_ == 0 || view_.task_hash() == task_hash_) return;
+  throw ExitError(
+      kExitServiceLost,
+      "TASK has changed in the middle of the episode, so what was planned holds no more: "
+      "run the episode again");
 }
 
 bool Conversation::Until(const std::function<bool()>& condition, std::int64_t timeout_ms,

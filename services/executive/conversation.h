@@ -22,7 +22,7 @@ class Conversation {
   explicit Conversation(Bus& bus, const std::string& service = "executive");
 
   /// Listens for at most `wait_ms`. Throws ExitError: kExitInterrupted after SIGINT or SIGTERM, and
-  /// kExitServiceLost as HoldWorld() says.
+  /// kExitServiceLost as HoldWorld(), ClaimRobot() and HoldTask() say.
   void Turn(int wait_ms);
 
   /// From now on the world is the one whose simulator or robot lives at this moment: when it falls
@@ -30,6 +30,15 @@ class Conversation {
   /// knows nothing of what was done), every wait ends with kExitServiceLost. Nothing is watched
   /// where nobody says HEALTH as "simulator".
   void HoldWorld();
+
+  /// From now on this process commands the robot: while ACTION_STATUS says that another executive
+  /// holds it, every wait ends with kExitServiceLost, "busy, held by executive 17". One that is not
+  /// heard any more is waited for until the robot is free of it, 4 s at most.
+  void ClaimRobot();
+
+  /// From now on TASK must stay as it is at this moment: every wait ends with kExitServiceLost when
+  /// its table or numbers change, since nothing that was planned holds any more.
+  void HoldTask();
 
   /// Listens until `condition` holds (true) or `timeout_ms` have passed (false). `repeat`, if any,
   /// is called at once and then every `period_ms`: for what must be said again until it is heard.
@@ -53,12 +62,17 @@ class Conversation {
  private:
   std::set<std::int64_t> LiveWorlds() const;
   void RequireWorld() const;
+  bool HeldByAnother() const;
+  void RequireClaim() const;
+  void RequireTask() const;
 
   Bus& bus_;
   HealthBeacon health_;
   HealthMonitor monitor_;
   BusView view_;
   std::set<std::int64_t> worlds_;  // instances of "simulator" that lived at HoldWorld()
+  bool claims_robot_ = false;
+  std::int64_t task_hash_ = 0;  // of TASK at HoldTask(); 0: it was not called
 };
 
 }  // namespace prospect::services

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "model/surprise.h"
+#include "planner/apart.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"
 #include "services/executive/covered.h"
@@ -98,20 +99,21 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
     case planner::Rejection::kNone:
       break;
   }
-  return "less likely to succeed (score " + Number("%.2f", future.score) +
-         Number(" against %.2f)", chosen_score);
+  return "less likely to succeed (score " + planner::Apart(future.score, chosen_score) +
+         " against " + planner::Apart(chosen_score, future.score) + ")";
 }
 
-Episode::Episode(Conversation& talk, const ExecutiveOptions& options)
+Episode::Episode(Conversation& talk, const ExecutiveOptions& options, Tell tell)
     : talk_(talk),
       options_(options),
+      tell_(std::move(tell)),
       goal_(options.goal),
       session_(talk),
       predictions_(talk),
       familiarity_(talk),
       actions_(talk) {
   record_.goal = goal_.Atoms();
-  record_.seed = options_.seed;
+  if (options_.reset) record_.seed = options_.seed;
   record_.policy = options_.policy;
 }
 
@@ -122,7 +124,7 @@ EpisodeRecord Episode::Run() {
     Verdict("refused", "the goal cannot be brought about: " + defect);
     ExplainUnsearched(record_.reason);
   } else if (!promised_.may_attempt) {
-    AddConfidence(0);
+    AddTerms();
     Verdict("refused", promised_.words.back());
     ExplainUnsearched(record_.reason);
   } else if (options_.policy == "search") {
@@ -131,9 +133,9 @@ EpisodeRecord Episode::Run() {
     talk_.Until([&] { return talk_.view().label().has_value(); }, 3000);
     if (!talk_.view().label())
       throw ExitError(kExitTimeout, "policy collect needs LABEL, and none was heard");
-    RunFixedPlan(CollectPlan(*talk_.view().task(), *talk_.view().label(),
-                             static_cast<std::uint64_t>(options_.seed),
-                             options_.policy == "collect"));
+    const label_t& label = *talk_.view().label();
+    const auto seed = static_cast<std::uint64_t>(label.seed >= 0 ? label.seed : options_.seed);
+    RunFixedPlan(CollectPlan(*talk_.view().task(), label, seed, options_.policy == "collect"));
   } else {
     RunFixedPlan(ParsePlan(options_.policy));
   }
@@ -153,11 +155,13 @@ void Episode::Prepare() {
   AwaitServices(talk_, options_);
   RequireWorld(talk_, options_);
   talk_.HoldWorld();
+  if (options_.reset || !options_.explain_only) talk_.ClaimRobot();
   AddSeconds("services", since);
   NameWhatIf();
   since = Clock::now();
   PrepareScene(talk_, options_);
   first_ = latest_ = Look(talk_, 0);
+  talk_.HoldTask();
   AddSeconds("look", since);
   if (options_.policy == "search") model_ = ChooseModel(talk_, options_);
   if (options_.policy == "search") LearnWhatIsCovered();
@@ -166,13 +170,13 @@ void Episode::Prepare() {
   const task_t& task = *talk_.view().task();
   record_.task = task.name;
   record_.world_version = task.world_version;
-  record_.seed = talk_.view().episode_id();
   record_.plan_length = task.plan_length;
   record_.first = PictureOf(first_);
   record_.frames_per_second = task.tick_seconds > 0 ? 1 / task.tick_seconds : 10;
   record_.engine = model_.engine;
   record_.weights = model_.server_id ? HexText(model_.weights_hash) : "";
   if (!talk_.view().label()) return;
+  if (!options_.reset) record_.seed = talk_.view().label()->seed;
   const auto& present = talk_.view().label()->present;
   record_.objects = static_cast<int>(std::count(present.begin(), present.end(), 1));
 }
@@ -219,7 +223,7 @@ SearchQuestion Episode::MakeQuestion(const planner::Attempt& attempt) const {
   root.weights_hash = model_.weights_hash;
   root.task_hash = task.task_hash;
   root.task = task.name;
-  root.episode_id = record_.seed;
+  root.episode_id = talk_.view().episode_id();
   root.image0_id = question.first.image_id;
   root.image_id = question.present.image_id;
   root.executed = attempt.executed;
@@ -259,15 +263,6 @@ std::vector<planner::Future> Episode::OtherFirstActions(const planner::Plan& pla
     }
   }
   return others;
-}
-
-// A picture that the networks cannot know is refused, whatever they say of its futures.
-void Episode::Recognise(planner::Plan* plan) {
-  if (options_.novelty <= 0) return;
-  record_.familiarity = familiarity_.Ask(session_.root(), record_.first, options_.novelty);
-  if (!record_.familiarity || !record_.familiarity->foreign()) return;
-  plan->status = planner::PlanStatus::kRefused;
-  plan->reason = model::NoveltyRefusal(record_.familiarity->novelty);
 }
 
 void Episode::AddImagined(const planner::Plan& plan, SearchRecord* record) {
@@ -341,13 +336,13 @@ void Episode::ExplainUnsearched(const std::string& reason) {
   if (!ToBeExplained()) return;
   Explanation explanation;
   explanation.reason = reason;
-  explanation.confidence = record_.confidence;
+  explanation.terms = record_.terms;
   NameScene(&explanation);
   record_.explanation = std::move(explanation);
 }
 
-// Calibration scenes were judged by their first search, so only that one is compared with them.
-void Episode::AddConfidence(double score) {
+// By what plans of these weights are refused, where a calibration tells.
+void Episode::AddTerms() {
   const model::CalibrationSample* sample = Calibration();
   if (sample == nullptr) return;
   const planner::SearchParameters& search = options_.search;
@@ -359,21 +354,31 @@ void Episode::AddConfidence(double score) {
       {"p_min", search.p_min},
       {"plan_length", talk_.view().task()->plan_length},
       {"retries", options_.retries}};
-  record_.confidence = ConfidenceOf(*sample, score, search.rule, parameters, !record_.goal.empty());
-  record_.confidence->promises = promised_.words;
-  if (!promised_.kept) record_.confidence->table = model::CurveTable(*sample);
+  record_.terms = TermsOf(*sample, search.rule, parameters, !record_.goal.empty());
+  record_.terms->promises = promised_.words;
+  if (!promised_.kept) record_.terms->table = model::CurveTable(*sample);
 }
 
-void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& record) {
+// Calibration scenes were judged by their first search, so only that one is compared with them; and
+// of a plan that is not to be carried out nobody says how it would fare.
+void Episode::AddConfidence(const SearchRecord& record) {
+  const model::CalibrationSample* sample = Calibration();
+  if (sample != nullptr && record.act)
+    record_.confidence = ConfidenceOf(*sample, record.score, record.threshold);
+}
+
+// What the latest search judged by.
+PlanContext Episode::Context() const {
   const planner::Search& search = session_.search();
   PlanContext context{search.rules(), search.parameters(), search.executed(), {}};
   for (const auto& action : talk_.view().task()->actions) context.names.push_back(action.name);
+  return context;
+}
+
+void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& record) {
+  const PlanContext context = Context();
   Explanation explanation = Explain(answer.plan, context);
   NameScene(&explanation);
-  explanation.confidence = record_.confidence;
-  explanation.familiarity = record_.familiarity;
-  // No plan lost by what it was imagined to do.
-  if (record_.familiarity && record_.familiarity->foreign()) explanation.chosen.why.clear();
   explanation.ended_by = record.ended_by;
   explanation.rollouts = record.rollouts;
   explanation.evaluations = record.evaluations;
@@ -389,16 +394,28 @@ void Episode::AddExplanation(const SearchAnswer& answer, const SearchRecord& rec
   record_.explanation = std::move(explanation);
 }
 
+// When the safeguards have been asked, too.
+void Episode::FinishExplanation(const SearchRecord& record) {
+  if (!record_.explanation) return;
+  Explanation& explanation = *record_.explanation;
+  explanation.act = record.act;
+  explanation.reason = record.reason;
+  explanation.terms = record_.terms;
+  explanation.confidence = record_.confidence;
+  explanation.familiarity = record_.familiarity;
+  // No plan lost by what it was imagined to do.
+  if (record_.familiarity && record_.familiarity->foreign()) explanation.chosen.why.clear();
+}
+
 SearchRecord Episode::SearchOnce(const planner::Attempt& attempt, planner::Plan* plan) {
   const auto since = Clock::now();
   const SearchQuestion question = MakeQuestion(attempt);
-  SearchAnswer answer = session_.Search(question);
+  const SearchAnswer answer = session_.Search(question);
   AddSeconds("search", since);
-  if (record_.searches.empty()) Recognise(&answer.plan);
 
   SearchRecord record;
   record.act = answer.plan.ok();
-  record.reason = answer.plan.ok() ? "" : answer.plan.reason;
+  record.reason = RefusalReason(answer.plan, Context());
   record.ended_by = answer.ended_by;
   record.score = answer.plan.best.score;
   record.threshold = ParameterOr(question.root, "refusal_threshold", 0);
@@ -413,12 +430,11 @@ SearchRecord Episode::SearchOnce(const planner::Attempt& attempt, planner::Plan*
   record.seconds = answer.seconds;
   record.search_id = session_.root().search_id;
   record.epoch = session_.root().epoch;
-  const bool foreign = record_.familiarity && record_.familiarity->foreign();
-  if (record_.searches.empty() && !foreign) AddConfidence(record.score);
   if (ToBeExplained()) AddExplanation(answer, record);
   AddImagined(answer.plan, &record);
   spdlog::info("search {}: {} rollouts, {} evaluations, {:.2f} s; {}", record_.searches.size() + 1,
-               record.rollouts, record.evaluations, record.seconds, Summary(answer.plan));
+               record.rollouts, record.evaluations, record.seconds,
+               Summary(answer.plan, *talk_.view().task()));
   *plan = answer.plan;
   return record;
 }
@@ -441,7 +457,7 @@ planner::NextStep Episode::Decide(SearchRecord* record) {
     return plan;
   };
   const double surprise = SurpriseNow();
-  const planner::NextStep next = attempts_->Next(search, surprise);
+  planner::NextStep next = attempts_->Next(search, surprise);
   const bool anew = next.kind == planner::NextStep::Kind::kAnew;
   *record = anew ? std::move(records.back()) : std::move(records.front());
   if (next.action >= 0 && attempts_->followed() == 0) SetCourse(*record);
@@ -450,24 +466,51 @@ planner::NextStep Episode::Decide(SearchRecord* record) {
     record->note = "the plan is lost (" + record->reason + "): on to where it can begin anew";
     record->steps.clear();
   }
-  if (!record->note.empty()) spdlog::info("{}", record->note);
+  const std::string objection = Objection(next);
+  if (!objection.empty()) {
+    record->act = false;
+    record->reason = objection;
+    next = {};
+  } else if (!record->note.empty()) {
+    tell_(record->note);
+  }
   return next;
+}
+
+// Why nothing may be done, whatever the search says. Empty: no reason.
+std::string Episode::Objection(const planner::NextStep& next) {
+  if (record_.searches.empty() && options_.novelty > 0) {
+    Recognition answer = familiarity_.Ask(session_.root(), record_.first, options_.novelty);
+    record_.familiarity = std::move(answer.familiarity);
+    if (record_.familiarity && record_.familiarity->foreign())
+      return model::NoveltyRefusal(record_.familiarity->novelty);
+    if (next.action >= 0 && !answer.defect.empty())
+      return "nobody could say whether the picture is like those the networks were trained on (" +
+             answer.defect + "); --novelty 0 does without";
+  }
+  if (next.action < 0 || !HeedsSurprises()) return "";
+  const std::string gap = course_.Gap(latest_.width, latest_.height);
+  return gap.empty()
+             ? ""
+             : "no server drew what is to be seen after " + gap +
+                   ", so nobody could tell a plan that goes wrong; --surprise 1 does without";
 }
 
 // How the plan that is followed is to look after each of its actions.
 void Episode::SetCourse(const SearchRecord& record) {
-  course_.clear();
-  for (const auto& step : record.steps) course_.push_back(step.imagined);
+  std::vector<Course::Step> steps;
+  for (const auto& step : record.steps) steps.push_back({step.name, step.imagined});
+  course_.Set(std::move(steps));
+}
+
+// No surprise is greater than 1.
+bool Episode::HeedsSurprises() const {
+  return options_.surprise < 1 && attempts_->heeds_surprises();
 }
 
 // Of what is seen, where that may matter for beginning anew; else 0.
 double Episode::SurpriseNow() const {
-  const auto done = static_cast<std::size_t>(attempts_->followed());
-  if (done == 0 || done > course_.size() || !attempts_->heeds_surprises()) return 0;
-  const Picture& imagined = course_[done - 1];
-  const Picture seen = PictureOf(latest_);
-  if (imagined.empty() || imagined.width != seen.width || imagined.height != seen.height) return 0;
-  return model::Surprise(imagined.rgb, seen.rgb, seen.width, seen.height);
+  return HeedsSurprises() ? course_.SurpriseAfter(attempts_->followed(), PictureOf(latest_)) : 0;
 }
 
 void Episode::RunSearchPolicy() {
@@ -475,6 +518,11 @@ void Episode::RunSearchPolicy() {
   for (;;) {
     SearchRecord search;
     const planner::NextStep next = Decide(&search);
+    if (record_.searches.empty()) {
+      AddTerms();
+      AddConfidence(search);
+      FinishExplanation(search);
+    }
     record_.searches.push_back(search);
     PublishPlan(search);
     if (next.kind == planner::NextStep::Kind::kGiveUp) {
@@ -486,6 +534,7 @@ void Episode::RunSearchPolicy() {
 }
 
 void Episode::RunFixedPlan(const std::vector<int>& plan) {
+  given_steps_ = plan.size();
   for (const int action : plan) {
     if (!Act(action)) return;
   }
@@ -496,7 +545,7 @@ void Episode::RunFixedPlan(const std::vector<int>& plan) {
 action_status_t Episode::CarryOut(int action) {
   try {
     return actions_.CarryOut(action);
-  } catch (const ExitError& error) {
+  } catch (const std::exception& error) {
     ActRecord act;
     act.action = action;
     act.name = ActionName(action);
@@ -530,7 +579,7 @@ bool Episode::Act(int action) {
   record_.acts.push_back(act);
   if (attempts_) attempts_->CarriedOut(action);
   if (!record_.searches.empty()) PublishPlan(record_.searches.back());
-  spdlog::info("{} {}{}", act.name, act.observed, act.reason.empty() ? "" : ": " + act.reason);
+  TellOf(act);
 
   if (status.state != action_status_t::STATE_SUCCEEDED) {
     Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped", InWords(act));
@@ -574,7 +623,7 @@ void Episode::PublishPlan(const SearchRecord& record) {
   plan.executive_id = talk_.id();
   plan.search_id = record.search_id;
   plan.epoch = record.epoch;
-  plan.episode_id = record_.seed;
+  plan.episode_id = talk_.view().episode_id();
   plan.decision = record.act ? plan_t::DECISION_ACT : plan_t::DECISION_REFUSE;
   plan.reason = record.reason;
   plan.score = record.score;
@@ -615,6 +664,18 @@ void Episode::Conclude() {
 void Episode::Verdict(const std::string& outcome, const std::string& reason) {
   record_.outcome = outcome;
   record_.reason = reason;
+}
+
+// "3/9 grasp(green): succeeded"
+void Episode::TellOf(const ActRecord& act) const {
+  std::size_t steps = given_steps_;
+  if (attempts_) {
+    const planner::Attempt& attempt = attempts_->current();
+    steps = record_.acts.size() + static_cast<std::size_t>(attempt.plan_length) -
+            std::min(attempt.executed.size(), static_cast<std::size_t>(attempt.plan_length));
+  }
+  tell_(std::to_string(record_.acts.size()) + "/" + std::to_string(steps) + " " + act.name + ": " +
+        act.observed + (act.reason.empty() ? "" : ", " + InWords(act.reason)));
 }
 
 std::string Episode::ActionName(int action) const {

@@ -76,7 +76,7 @@ struct ActRecord {
 struct EpisodeRecord {
   std::string task;
   std::string world_version;
-  std::int64_t seed = 0;
+  std::int64_t seed = -1;  // of the simulated scene; -1: there is none, or nobody said it
   std::string policy;
   std::vector<std::string> goal;  // atoms; none: the task's own
   int objects = 0;
@@ -90,7 +90,8 @@ struct EpisodeRecord {
   std::vector<SearchRecord> searches;  // one before each action, under policy "search"
   std::vector<ActRecord> acts;
   std::optional<Explanation> explanation;  // of the first search, where it was asked for
-  std::optional<Confidence> confidence;    // in the first search's plan
+  std::optional<Confidence> confidence;    // in the first search's plan; none: not to be had
+  std::optional<RefusalTerms> terms;       // none: nothing was searched, or no calibration
   std::string not_covered;  // why the weights' calibration says nothing here; empty: it does
   std::optional<Familiarity> familiarity;       // of the first picture; none: nobody knows
   std::map<std::string, double> phase_seconds;  // "services", "look", "search", "pictures", "act"

@@ -5,32 +5,26 @@
 #include <set>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
+
+#include "planner/apart.h"
+#include "planner/plan_reader.h"
 
 namespace prospect::services {
 namespace {
 
+using planner::Apart;
+using planner::DigitsApart;
 using planner::Future;
 using planner::Path;
 using planner::Plan;
 using planner::PlanStep;
 using planner::Rejection;
 
-constexpr int kFewestDigits = 2, kMostDigits = 6;
+constexpr int kDigits = 2;
 constexpr int kDigitsOfP = 3;
 
-std::string Fixed(double x, int digits = kFewestDigits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, x);
-  return text;
-}
-
-// Decimals at which the two differ.
-int Digits(double a, double b) {
-  if (a == b) return kFewestDigits;
-  int digits = kFewestDigits;
-  while (digits < kMostDigits && Fixed(a, digits) == Fixed(b, digits)) ++digits;
-  return digits;
-}
+std::string Fixed(double x, int digits = kDigits) { return planner::Fixed(x, digits); }
 
 std::string NameOf(int action, const PlanContext& context) {
   const auto index = static_cast<std::size_t>(action);
@@ -46,6 +40,13 @@ std::string Listed(const std::vector<std::string>& items) {
   std::string text;
   for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
   return text;
+}
+
+template <class Actions>
+std::vector<std::string> Names(const Actions& actions, const PlanContext& context) {
+  std::vector<std::string> names;
+  for (const int action : actions) names.push_back(NameOf(action, context));
+  return names;
 }
 
 std::size_t SharedSteps(const Path& a, const Path& b) {
@@ -84,7 +85,7 @@ std::string WhyLowValue(const std::vector<PlanStep>& steps, double root_value,
   const std::size_t last = steps.size() - 1;
   const double before = ValueBefore(steps, last, root_value), value = steps[last].value;
   const double limit = context.parameters.v_failed;
-  const int digits = std::max(Digits(before, value), Digits(value, limit));
+  const int digits = std::max(DigitsApart(before, value), DigitsApart(value, limit));
   const std::string given_up = "; below " + Fixed(limit, digits) + " a future is given up.";
   if (before <= value) {
     return "V is only " + Fixed(value, digits) + " at " +
@@ -93,8 +94,7 @@ std::string WhyLowValue(const std::vector<PlanStep>& steps, double root_value,
   std::string text = "V fell " + Fall(steps, last, root_value, digits, context) + given_up;
   const std::size_t deepest = DeepestFall(steps, root_value);
   if (deepest != last) {
-    text +=
-        " Most was lost before: " + Fall(steps, deepest, root_value, kFewestDigits, context) + ".";
+    text += " Most was lost before: " + Fall(steps, deepest, root_value, kDigits, context) + ".";
   }
   return text;
 }
@@ -108,9 +108,8 @@ std::string WhyNotDone(double done, std::size_t number, int action, const PlanCo
 std::string WhyNotPermitted(double prior, std::size_t number, int action,
                             const PlanContext& context) {
   const double limit = context.parameters.p_min;
-  const int digits = std::max(kDigitsOfP, Digits(prior, limit));
-  return "p forbids " + Step(number, action, context) + ": p is " + Fixed(prior, digits) +
-         ", below " + Fixed(limit, digits) + ".";
+  return "p forbids " + Step(number, action, context) + ": p is " +
+         Apart(prior, limit, kDigitsOfP) + ", below " + Apart(limit, prior, kDigitsOfP) + ".";
 }
 
 double DoneAlong(const std::vector<PlanStep>& steps) {
@@ -164,6 +163,29 @@ std::string WhyLowScore(const Future& future, const PlanContext& context) {
          Fixed(DoneAlong(future.steps)) + ".";
 }
 
+// The number by which a future was given up, and what it lies below.
+struct Miss {
+  const char* name;
+  double value, limit;
+};
+
+Miss MissOf(const Future& future, const PlanContext& context) {
+  const auto& limits = context.parameters;
+  const PlanStep last = future.steps.empty() ? PlanStep{} : future.steps.back();
+  switch (future.rejection) {
+    case Rejection::kNotPermitted:
+      return {"p", last.prior, limits.p_min};
+    case Rejection::kNotDone:
+      return {"f", last.done, limits.c_done};
+    case Rejection::kLowValue:
+      return {"V", last.value, limits.v_failed};
+    case Rejection::kLowScore:
+    case Rejection::kNone:
+      break;
+  }
+  return {"score", future.score, limits.refusal_threshold};
+}
+
 // A future before it is shown.
 struct Candidate {
   const Future* future;
@@ -202,6 +224,30 @@ std::vector<Candidate> Candidates(const Plan& plan) {
   }
   std::sort(all.begin(), all.end(), Stronger);
   return all;
+}
+
+// "closest: step 2, grasp(red): f 0.04, below 0.10"; of a plan that came to its end all its
+// actions.
+std::string NearestMiss(const Future& future, const PlanContext& context) {
+  const std::string where = future.rejection == Rejection::kLowScore
+                                ? Listed(Names(future.path, context))
+                                : Step(future.steps.size(), future.steps.back().action, context);
+  const Miss miss = MissOf(future, context);
+  const int digits = miss.limit < 0.1 ? kDigitsOfP : kDigits;
+  return "closest: " + where + ": " + miss.name + " " + Apart(miss.value, miss.limit, digits) +
+         ", below " + Apart(miss.limit, miss.value, digits);
+}
+
+// The one that came furthest; of those, the one that lies nearest below its bound.
+const Future* Nearest(const std::vector<Future>& futures, const PlanContext& context) {
+  const auto rank = [&](const Future& future) {
+    const Miss miss = MissOf(future, context);
+    return std::make_pair(future.steps.size(), miss.limit > 0 ? miss.value / miss.limit : 0);
+  };
+  const auto nearest =
+      std::max_element(futures.begin(), futures.end(),
+                       [&](const Future& a, const Future& b) { return rank(a) < rank(b); });
+  return nearest == futures.end() || nearest->steps.empty() ? nullptr : &*nearest;
 }
 
 // The actions up to the one in which a future parts from the chosen plan.
@@ -316,12 +362,6 @@ std::vector<std::string> Items(const std::string& text) {
   }
   for (auto& item : items) item = Trimmed(item);
   return items;
-}
-
-std::vector<std::string> Names(const std::vector<int>& actions, const PlanContext& context) {
-  std::vector<std::string> names;
-  for (const int action : actions) names.push_back(NameOf(action, context));
-  return names;
 }
 
 // Why the rules forbid the step at `index` of `path`, and what they allow in its place.
@@ -442,7 +482,9 @@ void EachImagined(Shown& explanation, const Visit& visit) {
 
 }  // namespace
 
-std::string Apart(double x, double other) { return Fixed(x, Digits(x, other)); }
+std::string SceneWords(std::int64_t seed) {
+  return seed < 0 ? "the scene as it stood" : "scene " + std::to_string(seed);
+}
 
 std::string WhyLost(const Future& future, const Plan& plan, const PlanContext& context) {
   if (future.steps.empty()) return "";
@@ -462,10 +504,23 @@ std::string WhyLost(const Future& future, const Plan& plan, const PlanContext& c
   return WhyLess(future, plan.best, context);
 }
 
+std::string RefusalReason(const Plan& plan, const PlanContext& context) {
+  if (plan.ok()) return "";
+  const std::string tally = planner::Tally(plan, context.parameters);
+  if (plan.best.rejection == Rejection::kLowScore) {
+    return "no plan scores enough; " + NearestMiss(plan.best, context) + "; plans followed to " +
+           "their end: " + std::to_string(plan.complete_futures) +
+           (tally.empty() ? "" : "; others: " + tally);
+  }
+  const Future* nearest = Nearest(plan.rejected, context);
+  if (plan.status != planner::PlanStatus::kRefused || nearest == nullptr) return plan.reason;
+  return "every future fails; " + NearestMiss(*nearest, context) + "; in all: " + tally;
+}
+
 Explanation Explain(const Plan& plan, const PlanContext& context) {
   Explanation explanation;
   explanation.act = plan.ok();
-  explanation.reason = plan.ok() ? "" : plan.reason;
+  explanation.reason = RefusalReason(plan, context);
   explanation.score = plan.best.score;
   explanation.root_value = plan.root_value;
   explanation.plan_length = context.rules.plan_length - static_cast<int>(context.executed.size());
@@ -579,23 +634,12 @@ std::string ScoreSentence(const Explanation& explanation) {
   return "Score " + Apart(score, threshold) + compared + ".";
 }
 
-std::vector<std::string> ConfidenceSentences(const Explanation& explanation) {
-  if (!explanation.not_covered.empty()) return {explanation.not_covered};
-  if (!explanation.confidence) return {};
-  const Confidence& confidence = *explanation.confidence;
-  std::vector<std::string> sentences;
-  const bool plan = !explanation.chosen.steps.empty();
-  if (plan && confidence.scenes > 0)
-    sentences.push_back(SuccessSentence(confidence, explanation.act));
-  sentences.insert(sentences.end(), confidence.promises.begin(), confidence.promises.end());
-  if (!confidence.caveat.empty()) sentences.push_back(confidence.caveat);
-  return sentences;
-}
-
 std::string ExplanationText(const Explanation& explanation, int most) {
   std::string text = Headline(explanation) + ". " + ScoreSentence(explanation) + '\n';
-  for (const std::string& sentence : ConfidenceSentences(explanation)) text += sentence + '\n';
-  if (explanation.confidence) text += explanation.confidence->table;
+  if (!explanation.not_covered.empty()) text += explanation.not_covered + '\n';
+  for (const auto& sentence : ConfidenceSentences(explanation.confidence, explanation.terms))
+    text += sentence + '\n';
+  if (explanation.terms) text += explanation.terms->table;
   if (!explanation.chosen.steps.empty()) {
     text += explanation.act ? "" : "The best that was imagined:\n";
     text += Table(explanation.chosen);

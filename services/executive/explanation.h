@@ -53,8 +53,8 @@ struct WhatIf {
 
 struct Explanation {
   std::string task;
-  std::int64_t seed = 0;
-  std::string weights;  // hash, hexadecimal
+  std::int64_t seed = -1;  // of the simulated scene; -1: there is none, or nobody said it
+  std::string weights;     // hash, hexadecimal
   std::string engine;
   std::vector<std::string> goal;  // atoms; none: the task's own goal
   Picture seen;                   // what the camera sees
@@ -70,7 +70,8 @@ struct Explanation {
   std::vector<std::string> untried;    // first actions of which no future was followed to its end
   std::optional<WhatIf> what_if;
   std::optional<Familiarity> familiarity;  // of the picture; none: nobody knows
-  std::optional<Confidence> confidence;    // none: the weights carry no calibration sample
+  std::optional<Confidence> confidence;    // in the chosen plan; none: it is not to be had
+  std::optional<RefusalTerms> terms;       // none: the weights carry no calibration sample
   std::string not_covered;                 // why theirs says nothing of such scenes; empty: it does
 
   planner::SearchParameters parameters;  // with the refusal threshold
@@ -80,6 +81,9 @@ struct Explanation {
   int workers = 0;
   double seconds = 0;
 };
+
+/// "scene 2000000", or "the scene as it stood" where no seed is known.
+std::string SceneWords(std::int64_t seed);
 
 /// What plans are judged by.
 struct PlanContext {
@@ -103,6 +107,13 @@ Explanation Explain(const planner::Plan& plan, const PlanContext& context);
 std::string WhyLost(const planner::Future& future, const planner::Plan& plan,
                     const PlanContext& context);
 
+/// Why no plan is carried out, the nearest miss first: "every future fails; closest: step 2,
+/// grasp(red): f 0.04, below 0.10; in all: 2 with an action that would not finish (f < 0.100)". Of
+/// futures that came to their end it is the one that scores best; of others the one that came
+/// furthest and there lies nearest to its bound. The planner's own reason where nothing was missed
+/// by a bound. Empty for a plan that may be carried out.
+std::string RefusalReason(const planner::Plan& plan, const PlanContext& context);
+
 /// The actions in "align(green), grasp(green)". Throws std::invalid_argument that names what is
 /// wrong and the names there are.
 planner::Path NamedPlan(const std::string& text, const std::vector<std::string>& names);
@@ -124,14 +135,7 @@ void SetPictures(const std::map<planner::Path, Picture>& pictures, Explanation* 
 std::string Headline(const Explanation& explanation);
 std::string ScoreSentence(const Explanation& explanation);
 
-/// What calibration scenes say of the score, what was promised, and what it does not cover; none
-/// without a calibration.
-std::vector<std::string> ConfidenceSentences(const Explanation& explanation);
-
 /// For a terminal: verdict, chosen plan, the best `most` alternatives and the plan a person named.
 std::string ExplanationText(const Explanation& explanation, int most = 3);
-
-/// Two decimals, or as many as it takes (up to 6) to tell `x` from `other`.
-std::string Apart(double x, double other);
 
 }  // namespace prospect::services

@@ -130,22 +130,16 @@ std::string Joined(const std::vector<std::string>& items) {
 }
 
 std::string Verdict(const Explanation& explanation) {
-  const double score = explanation.score, threshold = explanation.parameters.refusal_threshold;
   std::string words =
-      Paragraph("Prospect: " + explanation.task + ", scene " + std::to_string(explanation.seed),
+      Paragraph("Prospect: " + explanation.task + ", " + SceneWords(explanation.seed),
                 "class=\"faint\"") +
       Element("h1", explanation.act ? "class=\"act\"" : "class=\"refuse\"",
               Escaped(Headline(explanation))) +
       "\n";
-  // Below the threshold, the two numbers first; the count of all futures after them.
-  const bool low = !explanation.act && !explanation.chosen.steps.empty() && score < threshold;
-  if (low) {
-    words += Paragraph("The best that was imagined scores " + Apart(score, threshold) +
-                       "; plans below " + Apart(threshold, score) + " are refused.");
-  }
-  words += Paragraph(ScoreSentence(explanation), low ? "class=\"faint\"" : "");
+  words += Paragraph(ScoreSentence(explanation));
   if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
-  for (const std::string& sentence : ConfidenceSentences(explanation)) words += Paragraph(sentence);
+  for (const auto& sentence : ConfidenceSentences(explanation.confidence, explanation.terms))
+    words += Paragraph(sentence);
   words += Paragraph(
       std::string("The score is V after the last step times f of every step. It is the networks' "
                   "own estimate and ranks plans; it is not a share counted on trials") +
@@ -263,13 +257,13 @@ std::string Ending(const std::string& ended_by) {
 
 // What other thresholds would lead to.
 std::string Refusing(const Explanation& explanation) {
-  if (!explanation.confidence) return "";
+  if (!explanation.terms) return "";
   const double threshold = explanation.parameters.refusal_threshold;
-  const std::string chart = RiskChart(*explanation.confidence, threshold);
+  const std::string chart = RiskChart(*explanation.terms, threshold);
   if (chart.empty()) return "";
   return Heading("When to refuse") +
          Paragraph("Plans were searched for and carried out in " +
-                       std::to_string(explanation.confidence->sample) +
+                       std::to_string(explanation.terms->sample) +
                        " calibration scenes. The stricter the threshold on the score, the fewer "
                        "are attempted and the fewer of these fail; the point is the threshold at "
                        "hand, " +
@@ -292,7 +286,7 @@ std::string HowTheSearchWent(const Explanation& explanation) {
       Row("Gives up", "V below " + Number("%g", limits.v_failed) + ", f below " +
                           Number("%g", limits.c_done) + ", p below " + Number("%g", limits.p_min)) +
       Row("Search seed", std::to_string(limits.seed)) + Row("Task", explanation.task) +
-      Row("Scene", std::to_string(explanation.seed)) +
+      Row("Scene", explanation.seed < 0 ? "as it stood" : std::to_string(explanation.seed)) +
       Row("Weights", explanation.weights + " (" + explanation.engine + ")");
   return Heading("How the search went") + Element("table", "", "\n" + rows) + "\n";
 }

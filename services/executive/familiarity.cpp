@@ -61,13 +61,13 @@ FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {
 
 void FamiliarityInbox::OnReply(const predict_reply_t& reply) {
   if (awaited_ == 0 || reply.client_id != talk_.id() || reply.request_id != awaited_) return;
-  if (reply.status == expand_reply_t::STATUS_BUSY) return;
-  reply_ = reply;
+  if (reply.status == expand_reply_t::STATUS_OK) reply_ = reply;
+  if (reply.status == expand_reply_t::STATUS_REFUSED) refusal_ = reply.reason;
 }
 
-std::optional<Familiarity> FamiliarityInbox::Ask(const search_root_t& root, const Picture& seen,
-                                                 double level) {
+Recognition FamiliarityInbox::Ask(const search_root_t& root, const Picture& seen, double level) {
   reply_.reset();
+  refusal_.clear();
   awaited_ = awaited_ == 0 ? kFirstId : awaited_ + 1;
   std::int32_t attempt = 0;
   const auto ask = [&] {
@@ -82,23 +82,20 @@ std::optional<Familiarity> FamiliarityInbox::Ask(const search_root_t& root, cons
     request.want_image = 1;
     talk_.Say(request);
   };
-  if (!talk_.Until([this] { return reply_.has_value(); }, kTimeoutMs, ask, kRepeatMs)) {
-    spdlog::warn("no server said whether the picture is like known ones");
-    return std::nullopt;
+  if (!talk_.Until([this] { return reply_.has_value(); }, kTimeoutMs, ask, kRepeatMs))
+    return {{}, "no server answered within 3 s" + (refusal_.empty() ? "" : ": " + refusal_)};
+  if (reply_->reason.empty()) {
+    spdlog::warn("nothing is refused for its picture: the weights hold nothing of known ones");
+    return {};
   }
   const auto novelty = NoveltyFrom(reply_->reason);
-  if (reply_->status != expand_reply_t::STATUS_OK || !novelty) {
-    spdlog::info(
-        "nothing is refused for its picture: {}",
-        reply_->reason.empty() ? "the weights hold nothing of known ones" : reply_->reason);
-    return std::nullopt;
-  }
+  if (!novelty) return {{}, "a server's answer cannot be read: " + reply_->reason};
   Familiarity familiarity;
   familiarity.novelty = *novelty;
   familiarity.level = level;
   familiarity.seen = seen;
   if (reply_->width > 0) familiarity.redrawn = {reply_->width, reply_->height, reply_->data};
-  return familiarity;
+  return {familiarity, ""};
 }
 
 }  // namespace prospect::services

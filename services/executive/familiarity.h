@@ -30,6 +30,15 @@ std::string FamiliaritySentence(const Familiarity& familiarity);
 /// their sizes differ.
 Picture DifferenceMap(const Picture& seen, const Picture& redrawn);
 
+/// What the model servers answered.
+struct Recognition {
+  /// None: the weights hold nothing of known pictures, so that there is nothing to compare with; or
+  /// nobody could be asked.
+  std::optional<Familiarity> familiarity;
+  /// Why nobody could be asked: "no server answered within 3 s". Empty: somebody was.
+  std::string defect;
+};
+
 /// Asks the model servers how unlike the known pictures a search's root is. Hears PREDICT_REPLY
 /// from its construction on. One thread; the conversation must outlive it.
 class FamiliarityInbox {
@@ -37,10 +46,8 @@ class FamiliarityInbox {
   explicit FamiliarityInbox(Conversation& talk);
 
   /// What a server says of the root of `root`'s search, which must have been encoded
-  /// (PREDICT_REQUEST for the empty path, repeated until answered). nullopt, and a line in the log,
-  /// when the weights hold nothing of known pictures or nobody answers within 3 s: then nothing is
-  /// refused for its picture.
-  std::optional<Familiarity> Ask(const search_root_t& root, const Picture& seen, double level);
+  /// (PREDICT_REQUEST for the empty path, repeated until answered, 3 s at most).
+  Recognition Ask(const search_root_t& root, const Picture& seen, double level);
 
  private:
   void OnReply(const predict_reply_t& reply);
@@ -48,6 +55,7 @@ class FamiliarityInbox {
   Conversation& talk_;
   std::int64_t awaited_ = 0;  // request id; 0: none
   std::optional<predict_reply_t> reply_;
+  std::string refusal_;  // by which a server last refused to answer; another one may not
 };
 
 }  // namespace prospect::services

@@ -188,22 +188,26 @@ void Tell(const EpisodeRecord& record, const ExecutiveOptions& options, ExitCode
 }
 
 // As far as it came, so that result.json is never that of another episode.
-void TellStopped(Episode& episode, const ExecutiveOptions& options, const ExitError& error) {
+[[noreturn]] void EndStopped(Episode& episode, const ExecutiveOptions& options,
+                             const ExitError& error) {
   try {
     Tell(episode.Stopped(error.what()), options, error.code());
-  } catch (const ExitError& disk) {
-    spdlog::error("{}", disk.what());
+  } catch (const std::exception& another) {
+    spdlog::error("{}", another.what());
   }
+  throw error;
 }
 
+// Whatever ends an episode, its files are written and the exit status is a documented one.
 int RunEpisode(Conversation& talk, const ExecutiveOptions& options) {
-  Episode episode(talk, options);
+  Episode episode(talk, options, [](const std::string& line) { std::cout << line << std::endl; });
   EpisodeRecord record;
   try {
     record = episode.Run();
   } catch (const ExitError& error) {
-    TellStopped(episode, options, error);
-    throw;
+    EndStopped(episode, options, error);
+  } catch (const std::exception& error) {
+    EndStopped(episode, options, ExitError(kExitTaskFailure, error.what()));
   }
   Tell(record, options, CodeOf(record));
   return CodeOf(record);
@@ -212,10 +216,13 @@ int RunEpisode(Conversation& talk, const ExecutiveOptions& options) {
 int Run(int argc, char** argv) {
   CLI::App app("Executive: one episode against services already up");
   CommonOptions common;
+  common.log_level = "warn";  // people want the progress and the table
+  bool verbose = false;
   ExecutiveOptions options;
   options.search.samples = 30;
   options.search.depth = 0;
   AddCommonOptions(app, common);
+  app.add_flag("-v,--verbose", verbose, "log each search, as --log-level info does");
   AddSceneOptions(app, options);
   AddSearchOptions(app, options);
   AddServiceOptions(app, options);
@@ -230,6 +237,7 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  if (verbose && app.count("--log-level") == 0) common.log_level = "info";
   ApplyCommonOptions(common, "executive");
   std::optional<prospect::base::Lock> own;  // two episodes would mix their files
   if (!options.out.empty()) own = prospect::base::LockFolder(options.out);

@@ -114,9 +114,8 @@ std::vector<Column> Columns(const EpisodeRecord& record) {
 
 int DrawHeader(Canvas& canvas, const EpisodeRecord& record) {
   const int width = canvas.width() - 2 * kMargin;
-  int y =
-      canvas.Text(kMargin, kMargin,
-                  "Prospect: " + record.task + ", scene " + std::to_string(record.seed), kTitle);
+  int y = canvas.Text(kMargin, kMargin, "Prospect: " + record.task + ", " + SceneWords(record.seed),
+                      kTitle);
   y = canvas.Paragraph(kMargin, y + 2, width, VerdictSentence(record),
                        {0.6, OutcomeColor(record.outcome), false});
   if (record.searches.empty()) return y + 10;

@@ -67,6 +67,9 @@ std::string PolicyDefect(const std::string& policy) {
 
 std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
                              bool retries) {
+  if (label.present.size() != task.actions.size())
+    throw std::invalid_argument("LABEL tells of " + std::to_string(label.present.size()) +
+                                " actions, TASK of " + std::to_string(task.actions.size()));
   const auto rules = RulesFromTask(task);
   sim::RandomPlan random(rules, seed, retries);
   std::vector<int> done;

@@ -20,6 +20,7 @@ std::vector<int> ParsePlan(const std::string& policy);
 /// that an episode recorded from the bus equals a collected one.
 /// @param label of the episode's first picture, for the objects present
 /// @param retries false: never go back to try again (policy "expert")
+/// Throws std::invalid_argument when label and task disagree on the number of actions.
 std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
                              bool retries = true);
 

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "services/binding/evaluation_messages.h"
+#include "services/binding/task_messages.h"
 
 namespace prospect::services {
 namespace {
@@ -20,12 +21,9 @@ PredictionInbox::PredictionInbox(Conversation& talk) : talk_(talk) {
 void PredictionInbox::OnReply(const predict_reply_t& reply) {
   const auto awaited = awaited_.find(reply.request_id);
   if (reply.client_id != talk_.id() || awaited == awaited_.end()) return;
-  if (reply.status == expand_reply_t::STATUS_BUSY) return;
-  if (reply.status == expand_reply_t::STATUS_OK && reply.width > 0) {
-    pictures_[awaited->second] = {reply.width, reply.height, reply.data};
-  } else {
-    spdlog::warn("no picture of {}: {}", planner::ToString(awaited->second), reply.reason);
-  }
+  if (reply.status == expand_reply_t::STATUS_REFUSED) refusal_ = reply.reason;
+  if (reply.status != expand_reply_t::STATUS_OK || reply.width == 0) return;
+  pictures_[awaited->second] = {reply.width, reply.height, reply.data};
   awaited_.erase(awaited);
 }
 
@@ -33,6 +31,7 @@ std::map<planner::Path, Picture> PredictionInbox::Fetch(const search_root_t& roo
                                                         const std::vector<planner::Path>& paths) {
   awaited_.clear();
   pictures_.clear();
+  refusal_.clear();
   for (const auto& path : paths) awaited_[next_id_++] = path;
   std::int32_t attempt = 0;
   const auto ask = [&] {
@@ -53,7 +52,10 @@ std::map<planner::Path, Picture> PredictionInbox::Fetch(const search_root_t& roo
   };
   const std::int64_t timeout_ms = kTimeoutMs + kEachMs * static_cast<std::int64_t>(paths.size());
   if (!talk_.Until([this] { return awaited_.empty(); }, timeout_ms, ask, kRepeatMs)) {
-    spdlog::warn("{} of {} predicted pictures did not come", awaited_.size(), paths.size());
+    spdlog::warn("{} of {} predicted pictures did not come, the first that of {}{}",
+                 awaited_.size(), paths.size(),
+                 NamesOf(*talk_.view().task(), awaited_.begin()->second),
+                 refusal_.empty() ? "" : ": " + refusal_);
   }
   return pictures_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "lcmtypes/messages.h"
@@ -18,7 +19,7 @@ class PredictionInbox {
 
   /// What the world would look like after each of `paths` from the root of `root`'s search
   /// (PREDICT_REQUEST, repeated until answered). A picture that does not come within 3 s, and 50 ms
-  /// more for each picture, is missing from the map: it decorates the answer and decides nothing.
+  /// more for each picture, is missing from the map.
   std::map<planner::Path, Picture> Fetch(const search_root_t& root,
                                          const std::vector<planner::Path>& paths);
 
@@ -28,6 +29,7 @@ class PredictionInbox {
   Conversation& talk_;
   std::map<std::int64_t, planner::Path> awaited_;  // by request id
   std::map<planner::Path, Picture> pictures_;
+  std::string refusal_;  // by which a server last refused to draw; another one may not
   std::int64_t next_id_ = 1;
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "services/common/ids.h"
+
 namespace prospect::services {
 namespace {
 
@@ -38,21 +40,18 @@ sim_command_t ResetCommand(Conversation& talk, const ExecutiveOptions& options) 
   command.command_id = 1;
   command.kind = sim_command_t::KIND_RESET;
   command.seed = options.seed;
+  command.episode_id = RandomId();
   command.objects = options.objects;
   command.legs = options.legs;
   return command;
 }
 
-// The seed alone does not tell a new scene from an old one with other parameters: the label counts
-// the objects.
+// What is followed has the name that this very reset gave it. TASK, which has no such name, is
+// known by its length.
 bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
   const auto& view = talk.view();
-  if (!view.latest() || !view.status() || !view.label()) return false;
-  if (view.latest()->frame != 0 || view.status()->command_id != 0) return false;
-  const auto& present = view.label()->present;
-  const auto objects = std::count(present.begin(), present.end(), 1);
-  return (options.legs == 0 || view.task()->plan_length == options.legs) &&
-         (options.objects == 0 || objects == options.objects);
+  return view.latest() && view.status() && view.label() &&
+         (options.legs == 0 || view.task()->plan_length == options.legs);
 }
 
 std::string Seconds(int milliseconds) {
@@ -136,8 +135,8 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
     throw ExitError(kExitTimeout, "no OBSERVATION within " + Seconds(options.scene_timeout_ms) +
                                       ": " + CameraAdvice(talk));
   }
-  talk.view().Follow(options.seed);
   const sim_command_t command = ResetCommand(talk, options);
+  talk.view().Follow(command.episode_id);
   if (talk.Until([&] { return SceneStands(talk, options); }, options.scene_timeout_ms,
                  [&] { talk.Say(command); }))
     return;

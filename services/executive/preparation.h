@@ -16,7 +16,8 @@ namespace prospect::services {
 /// missing ones.
 void AwaitServices(Conversation& talk, const ExecutiveOptions& options);
 
-/// Puts up the scene of options.seed, or takes the present one when options.reset is false. Throws
+/// Puts up the scene of options.seed as an episode with a name of its own, so that no picture of an
+/// earlier one is taken for it, or takes the present one when options.reset is false. Throws
 /// kExitTimeout when it does not appear.
 void PrepareScene(Conversation& talk, const ExecutiveOptions& options);
 

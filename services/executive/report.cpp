@@ -67,27 +67,24 @@ json WhatIfJson(const WhatIf& what_if) {
 }
 
 json ConfidenceJson(const Confidence& confidence) {
-  return {{"success", confidence.scenes > 0 ? json(confidence.share()) : json(nullptr)},
+  return {{"success", confidence.share()},
           {"scenes", confidence.scenes},
           {"solved", confidence.solved},
-          {"scores", {confidence.low, confidence.high}},
-          {"calibration_scenes", confidence.sample},
-          {"promises", confidence.promises},
-          {"caveat", confidence.caveat}};
+          {"scores", {confidence.low, confidence.high}}};
 }
 
-// What calibration scenes say of the plan that was begun, or refused.
+json TermsJson(const RefusalTerms& terms) {
+  return {
+      {"calibration_scenes", terms.sample}, {"promises", terms.promises}, {"caveat", terms.caveat}};
+}
+
+// What calibration scenes say of the plan that was begun, and of refusals.
 std::string ConfidenceLines(const EpisodeRecord& record) {
   if (!record.not_covered.empty()) return record.not_covered + '\n';
-  if (!record.confidence) return "";
-  std::string text;
-  const bool planned = !record.searches.empty() && !record.searches.front().steps.empty();
-  if (planned && record.confidence->scenes > 0)
-    text +=
-        "At the start: " + SuccessSentence(*record.confidence, record.searches.front().act) + '\n';
-  for (const auto& sentence : record.confidence->promises) text += sentence + '\n';
-  if (!record.confidence->caveat.empty()) text += record.confidence->caveat + '\n';
-  return text + record.confidence->table;
+  std::string text = record.confidence ? "At the start: " : "";
+  for (const auto& sentence : ConfidenceSentences(record.confidence, record.terms))
+    text += sentence + '\n';
+  return record.terms ? text + record.terms->table : text;
 }
 
 json NoveltyJson(const Familiarity& familiarity) {
@@ -162,9 +159,12 @@ std::string VerdictSentence(const EpisodeRecord& record) {
 }
 
 std::string PlanTable(const EpisodeRecord& record) {
+  const auto rows = TableRows(record);
   std::string text =
-      "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
-  for (const auto& row : TableRows(record)) {
+      rows.empty()
+          ? ""
+          : "Step  Action                     Score       V       f  Visits  Predicted  Observed\n";
+  for (const auto& row : rows) {
     if (!row.note.empty()) text += "      " + row.note + '\n';
     text += FormatRow(row);
   }
@@ -189,7 +189,7 @@ std::string PlanTable(const EpisodeRecord& record) {
 std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   json result = {{"task", record.task},
                  {"world_version", record.world_version},
-                 {"seed", record.seed},
+                 {"seed", record.seed < 0 ? json(nullptr) : json(record.seed)},
                  {"policy", record.policy},
                  {"goal", record.goal},
                  {"objects", record.objects},
@@ -216,9 +216,10 @@ std::string ResultJson(const EpisodeRecord& record, int exit_code) {
   for (const auto& search : record.searches) result["searches"].push_back(SearchJson(search));
   if (record.explanation && record.explanation->what_if)
     result["what_if"] = WhatIfJson(*record.explanation->what_if);
-  if (record.confidence) result["confidence"] = ConfidenceJson(*record.confidence);
+  result["confidence"] = record.confidence ? ConfidenceJson(*record.confidence) : json(nullptr);
+  if (record.terms) result["refusals"] = TermsJson(*record.terms);
   if (record.familiarity) result["novelty"] = NoveltyJson(*record.familiarity);
-  // What services and robots say is in whatever encoding it is.
+  // Names and reasons come over the bus: what is no UTF-8 is replaced, and ends no episode.
   return result.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }
 

@@ -12,8 +12,9 @@ namespace prospect::services {
 /// verdict in words.
 std::string PlanTable(const EpisodeRecord& record);
 
-/// result.json: task, seed, outcome, reason, actions, rollouts, evaluations, seconds by phase,
-/// steps, searches.
+/// result.json: task, seed (null: no simulated scene), outcome, reason, actions, rollouts,
+/// evaluations, seconds by phase, steps, searches; confidence (null where no plan was to be carried
+/// out, or no calibration scene scored alike), refusals and novelty where they are known.
 /// @param exit_code of the program, so that a script reading only the file knows it
 std::string ResultJson(const EpisodeRecord& record, int exit_code);
 

@@ -175,7 +175,7 @@ std::map<planner::Path, planner::Evaluation> SearchSession::Evaluate(
   const auto whole = [&] { return Unknown(paths).empty(); };
   if (!talk_.Until(whole, kStalledMs, ask, kStopRepeatMs)) {
     throw ExitError(kExitServiceLost, "the model servers did not evaluate " +
-                                          planner::ToString(Unknown(paths)[0]) +
+                                          NamesOf(*talk_.view().task(), Unknown(paths)[0]) +
                                           " within 10 s; see their logs");
   }
   const auto& search = shared_->search();

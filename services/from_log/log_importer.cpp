@@ -57,15 +57,14 @@ void LogImporter::Finish(const RecordedRun& run) { rows_.push_back(Import(run));
 ImportRow LogImporter::Import(const RecordedRun& run) {
   ImportRow row{run.episode_id(), static_cast<std::int64_t>(run.pictures()), "refused", ""};
   try {
-    if (kept_.count(run.episode_id()))
-      throw RunError("this scene was recorded before and is kept already");
     const model::Trial trial = run.ToTrial();
     // Episodes of a robot whose ids are long may come to one number.
     if (numbers_.count(trial.seed) > 0)
-      throw RunError("its number " + std::to_string(trial.seed) + " is another episode's");
+      throw RunError(trial.simulated ? "this scene was recorded before and is kept already"
+                                     : "an episode numbered " + std::to_string(trial.seed) +
+                                           " is kept already");
     sink_(trial);
     numbers_.insert(trial.seed);
-    kept_.insert(run.episode_id());
     return {row.episode_id, trial.frames(), trial.outcome, trial.reason};
   } catch (const RunError& error) {
     row.reason = error.what();

@@ -23,9 +23,10 @@ struct ImportRow {
 };
 
 /// Turns the events of logs into trials, one run at a time, so that a log of any length needs the
-/// memory of two runs. A run is one pass through one scene: a scene that begins again at frame 0 is
-/// another run, and of several runs of one scene the first whole one is kept, since data sets hold
-/// a seed once. Feed events in the order of the log. Not thread-safe.
+/// memory of two runs. A run is one pass through one scene: another episode, or one that begins
+/// again at frame 0, is another run, and of several runs of one scene (one seed of LABEL) the first
+/// whole one is kept, since data sets hold a seed once. Feed events in the order of the log. Not
+/// thread-safe.
 class LogImporter {
  public:
   /// Takes a finished trial. May throw model::DataError to refuse it by its own rules (a seed kept
@@ -59,8 +60,7 @@ class LogImporter {
   std::unique_ptr<RecordedRun> current_;
   std::unique_ptr<RecordedRun> previous_;
   std::shared_ptr<const task_t> task_;
-  std::set<std::int64_t> kept_;      // episodes
-  std::set<std::uint64_t> numbers_;  // of their trials
+  std::set<std::uint64_t> numbers_;  // of the trials that were kept
   std::vector<ImportRow> rows_;
   std::map<std::string, std::int64_t> refused_;
 };

@@ -53,17 +53,6 @@ std::string DataSetTaskHash(const task_t& task) {
   return model::HexText(spec.Hash());
 }
 
-std::optional<std::uint64_t> SimulatedSeed(const task_t& task, std::int64_t episode_id) {
-  constexpr std::size_t kDigits = 16;
-  const std::string begin = task.name + "-";
-  const std::string& version = task.world_version;
-  const bool ours =
-      version.size() == begin.size() + kDigits && version.rfind(begin, 0) == 0 &&
-      version.find_first_not_of("0123456789abcdef", begin.size()) == std::string::npos;
-  if (!ours) return std::nullopt;
-  return static_cast<std::uint64_t>(episode_id);
-}
-
 void RecordedRun::Add(const observation_t& observation) {
   pictures_.emplace(observation.frame, observation);
   last_frame_ = std::max(last_frame_, observation.frame);
@@ -101,9 +90,9 @@ void RecordedRun::RequireWhole(std::int64_t end) const {
 
 void RecordedRun::Describe(std::int64_t end, model::Trial& trial) const {
   const label_t& last = labels_.at(end);
-  const std::optional<std::uint64_t> scene = SimulatedSeed(*task_, episode_id_);
-  trial.simulated = scene.has_value();
-  trial.seed = scene.value_or(RecordedNumber(episode_id_));
+  trial.simulated = last.seed >= 0;
+  trial.seed =
+      trial.simulated ? static_cast<std::uint64_t>(last.seed) : RecordedNumber(episode_id_);
   trial.task = task_->name;
   trial.outcome = last.outcome == label_t::OUTCOME_SUCCESS ? "success" : "failure";
   trial.reason = last.reason;

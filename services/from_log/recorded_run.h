@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,11 +55,6 @@ class RecordedRun {
   std::map<std::int64_t, label_t> labels_;
   std::shared_ptr<const task_t> task_;
 };
-
-/// The seed of the simulator's scene that an episode shows: where the world is one of our
-/// simulator's by its version (NAME and 16 hexadecimal digits), the episode's id. Nothing for a
-/// robot's episodes, whose ids are its own: no scene is kept for evaluation by them.
-std::optional<std::uint64_t> SimulatedSeed(const task_t& task, std::int64_t episode_id);
 
 /// The hash of a task as data sets store it (sim::TaskSpec::Hash as text), from what TASK says.
 /// TASK's own task_hash also covers the plan's length, which data sets leave open.

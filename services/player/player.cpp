@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "services/common/ids.h"
+
 namespace prospect::services {
 namespace {
 
@@ -15,34 +17,37 @@ Player::Player(Bus& bus, const VideoChoice& choice, double speed, bool loop)
     : bus_(bus),
       health_(bus, "simulator"),
       monitor_(bus),
-      scene_(choice),
+      scene_(choice, RandomId()),
       speed_(speed),
       loop_(loop),
       due_(Clock::now()) {
+  bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); });
   bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnCommand(command); });
   health_.SetState(health_t::STATE_READY);
 }
 
 void Player::OnCommand(const sim_command_t& command) {
   if (command.sender_id == sender_ && command.command_id <= command_) return;
+  if (!hold_.BusyFor(command.sender_id).empty())
+    return bus_.CountRefused(ChannelOf<sim_command_t>(), "busy");
+  hold_.Take(command.sender_id, SteadyMs());
   sender_ = command.sender_id;
   command_ = command.command_id;
   paused_ = command.kind == sim_command_t::KIND_PAUSE;
   due_ = Clock::now();
   if (command.kind != sim_command_t::KIND_RESET) return;
-  spdlog::info("from the beginning, as episode {}", command.seed);
-  scene_.Restart(command.seed);
+  spdlog::info("from the beginning, as episode {}", command.episode_id);
+  scene_.Restart(command.episode_id);
   ended_ = false;
   shown_us_ = 0;
 }
 
 void Player::ShowNext() {
-  const std::int64_t episode = scene_.observation().episode_id;
   if (!scene_.Next()) {
     spdlog::info("the video has ended");
     ended_ = !loop_ || scene_.observation().frame < 0;
     if (ended_) return;
-    scene_.Restart(episode + 1);
+    scene_.Restart(RandomId());
     shown_us_ = 0;
     return;
   }
@@ -77,6 +82,7 @@ void Player::Turn() {
   bus_.Poll(TimeoutMs());
   if (!paused_ && !ended_ && Clock::now() >= due_) ShowNext();
   const std::int64_t now_ms = SteadyMs();
+  if (hold_.Lapsed(now_ms)) hold_.Free();
   if (task_due_.Due(now_ms)) {
     task_t task = scene_.task();
     task.utime = UtimeNow();

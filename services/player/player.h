@@ -7,14 +7,15 @@
 #include "services/common/clock.h"
 #include "services/common/health.h"
 #include "services/common/health_monitor.h"
+#include "services/common/robot_hold.h"
 #include "services/player/video_scene.h"
 
 namespace prospect::services {
 
 /// Plays a video on the bus in a simulator's place: TASK at 1 Hz, each picture as OBSERVATION with
-/// its LABEL when it is due, the last one again and again after the end. Hears SIM_COMMAND: RESET
-/// plays from the beginning under the seed as episode, PAUSE and RESUME hold the picture. It
-/// carries no action out.
+/// its LABEL when it is due, the last one again and again after the end. Hears SIM_COMMAND of one
+/// sender at a time (RobotHold): RESET plays from the beginning as another episode, PAUSE and
+/// RESUME hold the picture. It carries no action out.
 ///
 /// One thread: construct, then call Turn() until it is time to stop. The bus must outlive it.
 class Player {
@@ -40,6 +41,7 @@ class Player {
   Bus& bus_;
   HealthBeacon health_;
   HealthMonitor monitor_;
+  RobotHold hold_;
   VideoScene scene_;
   double speed_;
   bool loop_;

@@ -56,11 +56,11 @@ task_t GestureTask(const std::string& name, double tick_seconds) {
   return task;
 }
 
-VideoScene::VideoScene(const VideoChoice& choice) : choice_(choice) {
+VideoScene::VideoScene(const VideoChoice& choice, std::int64_t episode_id) : choice_(choice) {
   if (!choice.transcription.empty()) {
     transcription_ = model::jigsaws::ReadTranscription(choice.transcription);
   }
-  Restart(0);
+  Restart(episode_id);
   seconds_per_frame_ = 1.0 / video_->frames_per_second();
   task_ = GestureTask(choice.task, seconds_per_frame_ * choice.every);
 }
@@ -111,6 +111,7 @@ void VideoScene::Describe(int frame) {
   label.sim_time_us = o.sim_time_us;
   label.episode_id = o.episode_id;
   label.frame = o.frame;
+  label.seed = -1;
   label.action = ActionOf(spans, span);
   label.previous_action = ActionOf(spans, span - 1);
   label.segment = span;

@@ -29,7 +29,7 @@ struct VideoChoice {
 class VideoScene {
  public:
   /// Opens the video and reads the transcription, without a picture yet. Throws model::DataError.
-  explicit VideoScene(const VideoChoice& choice);
+  explicit VideoScene(const VideoChoice& choice, std::int64_t episode_id = 0);
   ~VideoScene();
 
   /// From the beginning again, as episode `episode_id`.

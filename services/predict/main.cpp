@@ -35,8 +35,8 @@ void AddOptions(CLI::App& app, Options& o) {
                  "wait so many seconds for what really comes, and show it beside; 0: do not")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  app.add_option("--seed,--episode", o.predict.episode,
-                 "wait for this episode (a simulated scene's seed); -1: whichever is there")
+  app.add_option("--seed", o.predict.seed,
+                 "wait for the simulated scene of this seed; -1: whichever is there")
       ->check(CLI::Range(std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()))
       ->capture_default_str();
   app.add_flag("--from-start", o.predict.from_start, "wait until the next action begins");

@@ -69,7 +69,7 @@ class Prediction {
 
   FuturesSheet Run() {
     const ExecutiveOptions wanted = ServicesOnly(options_);
-    if (options_.episode >= 0) talk_.view().Follow(options_.episode);  // from its first picture on
+    if (options_.seed >= 0) talk_.view().FollowSeed(options_.seed);  // from its first picture on
     AwaitServices(talk_, wanted);
     const model_info_t server = ChooseModel(talk_, wanted);
     AwaitPicture(wanted);
@@ -89,10 +89,10 @@ class Prediction {
   const BusView& view() const { return talk_.view(); }
 
   void AwaitPicture(const ExecutiveOptions& wanted) {
-    if (options_.episode < 0) return PrepareScene(talk_, wanted);
+    if (options_.seed < 0) return PrepareScene(talk_, wanted);
     const auto there = [this] { return view().latest().has_value(); };
     if (talk_.Until(there, options_.picture_timeout_ms)) return;
-    throw ExitError(kExitTimeout, "no picture of episode " + std::to_string(options_.episode) +
+    throw ExitError(kExitTimeout, "no picture of scene " + std::to_string(options_.seed) +
                                       " in time: does it run?");
   }
 
@@ -127,7 +127,7 @@ class Prediction {
     const std::int64_t episode = view().episode_id();
     const auto begun = [&] {
       // A video that begins again.
-      if (watch_.elsewhere() && options_.episode < 0) talk_.view().FollowAny();
+      if (watch_.elsewhere() && options_.seed < 0) talk_.view().FollowAny();
       now_ = watch_.Find(options_.segment);
       if (!now_ || options_.from_start) now_ = watch_.Latest();
       if (!now_ || now_->number < options_.segment) return false;

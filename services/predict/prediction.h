@@ -16,8 +16,8 @@ struct PredictOptions {
   double truth_seconds = 0;
   /// Wait until the action under way has just begun, so that it is seen from its beginning.
   bool from_start = false;
-  /// The episode to look at; negative: whichever is there.
-  std::int64_t episode = -1;
+  /// Of the simulated scene to look at; negative: whichever is there.
+  std::int64_t seed = -1;
   /// Begin at this action of the episode (0: the first) or a later one.
   int segment = 0;
   int services_timeout_ms = 15000;

@@ -54,6 +54,7 @@ class BusLogReader {
     const auto known = index_.find(root.search_id);
     if (known != index_.end() && searches[known->second].search->root().epoch >= root.epoch) return;
     ReplayedSearch fresh;
+    fresh.task = *task_;
     try {
       fresh.search =
           std::make_unique<SharedSearch>(root, RulesOfSearch(*task_, root), kObserver, 0, now_us_);

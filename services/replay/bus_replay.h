@@ -12,6 +12,7 @@ namespace prospect::services {
 /// A search as a log of the bus shows it.
 struct ReplayedSearch {
   std::unique_ptr<SharedSearch> search;
+  task_t task{};                             ///< as it was when the search began
   std::int64_t replies = 0, statistics = 0;  ///< messages of it in the log
 };
 

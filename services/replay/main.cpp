@@ -45,7 +45,7 @@ json ReplayBus(const Options& options) {
     const std::string table = Hex(TableHash(search));
     std::printf("search %" PRId64 ": %" PRId64 " rollouts, %" PRId64 " evaluations, table %s; %s\n",
                 id, search.total_rollouts(), search.known_evaluations(), table.c_str(),
-                Summary(search.BestPlan()).c_str());
+                Summary(search.BestPlan(), replayed.task).c_str());
     searches.push_back({{"search_id", id},
                         {"rollouts", search.total_rollouts()},
                         {"evaluations", search.known_evaluations()},

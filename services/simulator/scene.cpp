@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "services/binding/task_messages.h"
@@ -65,10 +66,11 @@ std::int8_t OutcomeCode(sim::Outcome outcome) {
   return label_t::OUTCOME_UNKNOWN;
 }
 
-Scene::Scene(std::string task_name, const sim::TaskOptions& options, std::uint64_t seed)
+Scene::Scene(std::string task_name, const sim::TaskOptions& options, std::int64_t episode_id,
+             std::uint64_t seed)
     : task_name_(std::move(task_name)), options_(options) {
   MakeTask();
-  Reset(seed, 0, 0);
+  Reset(episode_id, seed, 0, 0);
 }
 
 void Scene::MakeTask() {
@@ -76,7 +78,9 @@ void Scene::MakeTask() {
   task_message_ = MakeTaskMessage(task_->spec());
 }
 
-void Scene::Reset(std::uint64_t seed, int objects, int legs) {
+void Scene::Reset(std::int64_t episode_id, std::uint64_t seed, int objects, int legs) {
+  if (episode_id == episode_id_)
+    throw std::invalid_argument("a new episode needs a name that the present one does not have");
   sim::TaskOptions wanted = options_;
   if (objects > 0) wanted.objects = objects;
   if (legs > 0) sim::SetPlanLength(task_name_, legs, &wanted);
@@ -91,7 +95,8 @@ void Scene::Reset(std::uint64_t seed, int objects, int legs) {
     }
   }
   task_->Reset(seed);
-  episode_id_ = static_cast<std::int64_t>(seed);
+  episode_id_ = episode_id;
+  seed_ = seed;
   braking_ticks_ = 0;
   Capture(0, false);
 }
@@ -129,8 +134,7 @@ void Scene::Tick() {
 
 void Scene::Capture(std::int64_t frame, bool segment_end) {
   sim::Image image = task_->Observe();
-  sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), static_cast<std::uint64_t>(episode_id_),
-                      frame, options_.image_noise);
+  sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, options_.image_noise);
   const auto progress = task_->progress();
 
   observation_ = observation_t{};
@@ -147,6 +151,7 @@ void Scene::Capture(std::int64_t frame, bool segment_end) {
   label_.sim_time_us = observation_.sim_time_us;
   label_.episode_id = episode_id_;
   label_.frame = frame;
+  label_.seed = static_cast<std::int64_t>(seed_);
   label_.action = progress.action;
   label_.previous_action = progress.previous_action;
   label_.segment = progress.segment;

@@ -20,11 +20,13 @@ class Scene {
  public:
   /// Makes the task and resets it to `seed`. Throws std::invalid_argument for an unknown task or
   /// options out of range.
-  Scene(std::string task_name, const sim::TaskOptions& options, std::uint64_t seed);
+  Scene(std::string task_name, const sim::TaskOptions& options, std::int64_t episode_id,
+        std::uint64_t seed);
 
-  /// A new episode. `objects` and `legs` of 0 keep the present setting. Throws
-  /// std::invalid_argument, with the old scene untouched, when they are out of range.
-  void Reset(std::uint64_t seed, int objects, int legs);
+  /// A new episode, with a name of its own. `objects` and `legs` of 0 keep the present setting.
+  /// Throws std::invalid_argument, with the old scene untouched, when they are out of range or when
+  /// the present episode has this name.
+  void Reset(std::int64_t episode_id, std::uint64_t seed, int objects, int legs);
 
   /// Begins an action. Returns why not, or an empty text when it has begun.
   std::string Start(int action);
@@ -55,6 +57,7 @@ class Scene {
   sim::TaskOptions options_;
   std::unique_ptr<sim::Task> task_;
   std::int64_t episode_id_ = 0;
+  std::uint64_t seed_ = 0;
   int braking_ticks_ = 0;
   observation_t observation_{};
   label_t label_{};

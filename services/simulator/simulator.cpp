@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "services/common/ids.h"
+
 namespace prospect::services {
 namespace {
 
@@ -37,11 +39,12 @@ Simulator::Simulator(Bus& bus, const SimulatorOptions& options)
       options_(options),
       health_(bus, "simulator"),
       monitor_(bus),
-      scene_(options.task, options.scene, options.seed) {
+      scene_(options.task, options.scene, RandomId(), options.seed) {
   tick_period_ = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(TickSeconds(options_, scene_.task())));
   status_.action = -1;
   FollowTask();
+  bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); });
   bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnSimCommand(command); });
   bus_.Subscribe<action_command_t>(
       [this](const action_command_t& command) { OnActionCommand(command); });
@@ -50,17 +53,22 @@ Simulator::Simulator(Bus& bus, const SimulatorOptions& options)
 
 void Simulator::OnSimCommand(const sim_command_t& command) {
   if (!sim_commands_.Take(command.sender_id, command.command_id)) return;
-  if (command.kind == sim_command_t::KIND_RESET) Reset(command);
-  if (command.kind == sim_command_t::KIND_PAUSE) paused_ = true;
-  if (command.kind == sim_command_t::KIND_RESUME) {
-    paused_ = false;
-    next_tick_ = Clock::now();
+  const std::string busy = hold_.BusyFor(command.sender_id);
+  if (!busy.empty()) {
+    spdlog::warn("command of {} refused: {}", command.sender_id, busy);
+    bus_.CountRefused(ChannelOf<sim_command_t>(), "busy");
+    return PublishStatus();  // which says who holds it
   }
+  if (command.kind == sim_command_t::KIND_RESET) return Reset(command);
+  hold_.Take(command.sender_id, SteadyMs());
+  paused_ = command.kind == sim_command_t::KIND_PAUSE;
+  if (!paused_) next_tick_ = Clock::now();
 }
 
 void Simulator::Reset(const sim_command_t& command) {
   try {
-    scene_.Reset(static_cast<std::uint64_t>(command.seed), command.objects, command.legs);
+    scene_.Reset(command.episode_id, static_cast<std::uint64_t>(command.seed), command.objects,
+                 command.legs);
   } catch (const std::invalid_argument& error) {
     spdlog::warn("reset refused: {}", error.what());
     bus_.CountRefused(ChannelOf<sim_command_t>(), "scene parameters");
@@ -68,6 +76,7 @@ void Simulator::Reset(const sim_command_t& command) {
     return;
   }
   spdlog::info("scene {}: {} actions to a plan", command.seed, scene_.task().plan_length);
+  hold_.Take(command.sender_id, SteadyMs());
   paused_ = false;
   status_ = action_status_t{};
   status_.action = -1;
@@ -82,6 +91,8 @@ void Simulator::OnActionCommand(const action_command_t& command) {
       command.executive_id == status_.executive_id && command.command_id == status_.command_id;
   if (latest) return PublishStatus();
   if (!action_commands_.Take(command.executive_id, command.command_id)) return;
+  const std::string busy = hold_.BusyFor(command.executive_id);
+  if (!busy.empty()) return Answer(command, busy);
   if (command.episode_id != scene_.episode_id()) {
     return Answer(command, "meant for episode " + std::to_string(command.episode_id) +
                                ", here is " + std::to_string(scene_.episode_id()));
@@ -94,7 +105,7 @@ void Simulator::Start(const action_command_t& command) {
   const std::string refusal = scene_.Start(command.action);
   if (!refusal.empty()) return Answer(command, refusal);
   spdlog::info("action {} begins", command.action);
-  action_since_ms_ = SteadyMs();
+  hold_.Take(command.executive_id, SteadyMs());
   next_tick_ = Clock::now();
   Answer(command, "");
 }
@@ -106,8 +117,8 @@ void Simulator::Cancel(const action_command_t& command) {
   status_.action = action;
 }
 
-// A refusal while an action runs is told once and does not replace that action's status, which its
-// executive waits for.
+// A refusal while an action runs, or while another executive holds the robot, is told once and does
+// not replace the status that the holder waits for.
 void Simulator::Answer(const action_command_t& command, const std::string& refusal) {
   const action_status_t before = status_;
   status_.executive_id = command.executive_id;
@@ -120,7 +131,8 @@ void Simulator::Answer(const action_command_t& command, const std::string& refus
     status_.reason = refusal;
   }
   PublishStatus();
-  if (!refusal.empty() && scene_.running()) status_ = before;
+  const bool apart = scene_.running() || !hold_.BusyFor(command.executive_id).empty();
+  if (!refusal.empty() && apart) status_ = before;
 }
 
 void Simulator::FollowTask() {
@@ -154,11 +166,11 @@ void Simulator::TickIfDue() {
   PublishStatus();
 }
 
-void Simulator::WatchExecutive() {
-  if (!scene_.running()) return;
-  const auto* peer = monitor_.Find(status_.executive_id);
-  const std::int64_t heard_ms = std::max(action_since_ms_, peer ? peer->heard_ms : 0);
-  if (SteadyMs() - heard_ms > HealthMonitor::kDeadMs) CancelRunning("its executive fell silent");
+void Simulator::WatchHolder() {
+  if (!hold_.Lapsed(SteadyMs())) return;
+  CancelRunning("its executive left or fell silent");
+  hold_.Free();
+  PublishStatus();
 }
 
 void Simulator::PublishFrame() {
@@ -174,6 +186,7 @@ void Simulator::PublishFrame() {
 
 void Simulator::PublishStatus() {
   status_.utime = UtimeNow();
+  status_.holder_id = hold_.holder();
   bus_.Publish(status_);
 }
 
@@ -205,7 +218,7 @@ int Simulator::TimeoutMs() const {
 void Simulator::Turn() {
   bus_.Poll(TimeoutMs());
   TickIfDue();
-  WatchExecutive();
+  WatchHolder();
   PublishPeriodic();
   health_.SetState(scene_.running() ? health_t::STATE_BUSY : health_t::STATE_READY);
   health_.Tick();

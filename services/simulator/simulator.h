@@ -8,6 +8,7 @@
 #include "services/common/clock.h"
 #include "services/common/health.h"
 #include "services/common/health_monitor.h"
+#include "services/common/robot_hold.h"
 #include "services/simulator/command_gate.h"
 #include "services/simulator/scene.h"
 
@@ -24,7 +25,8 @@ struct SimulatorOptions {
 /// A simulated robot in its world, on the bus. Publishes TASK at 1 Hz, a picture (OBSERVATION) and
 /// its LABEL each tick while something moves and repeats the latest while the world holds still,
 /// and ACTION_STATUS on change and at 2 Hz. Carries out SIM_COMMAND and ACTION_COMMAND, each
-/// command once. A running action is cancelled when its executive's HEALTH falls silent for 3 s.
+/// command once, of one executive at a time (RobotHold): a running action is cancelled when its
+/// executive's HEALTH falls silent for 3 s, and others may command from then on.
 ///
 /// One thread: construct, then call Turn() until it is time to stop. The bus must outlive it.
 class Simulator {
@@ -50,7 +52,7 @@ class Simulator {
   void Cancel(const action_command_t& command);
   void Answer(const action_command_t& command, const std::string& refusal);
   void TickIfDue();
-  void WatchExecutive();
+  void WatchHolder();
   void PublishFrame();
   void PublishStatus();
   void PublishTask();
@@ -67,9 +69,9 @@ class Simulator {
   Scene scene_;
   CommandGate sim_commands_;
   CommandGate action_commands_;
+  RobotHold hold_;
   action_status_t status_{};
   bool paused_ = false;
-  std::int64_t action_since_ms_ = 0;
   Clock::duration tick_period_;
   Clock::time_point next_tick_;
   int quick_repeats_left_ =

@@ -196,7 +196,7 @@ void Worker::CheckAbandoned(std::int64_t now_ms) {
 }
 
 void Worker::Conclude() {
-  const std::string summary = Summary(shared_->search().BestPlan());
+  const std::string summary = Summary(shared_->search().BestPlan(), *task_);
   spdlog::info("search {}: {} rollouts here, {} in all, {} evaluations; {}",
                shared_->root().search_id, shared_->search().rollouts(),
                shared_->search().total_rollouts(), shared_->search().evaluations(), summary);

@@ -56,6 +56,7 @@ class Authentic : public testing::Test {
     reset.command_id = forged_;
     reset.kind = sim_command_t::KIND_RESET;
     reset.seed = 99;
+    reset.episode_id = 99;
     stranger_.Publish(reset);
   }
 
@@ -148,6 +149,7 @@ TEST_F(Authentic, RecordedCommandsMoveNothingAgain) {
   reset.command_id = 1;
   reset.kind = sim_command_t::KIND_RESET;
   reset.seed = 99;
+  reset.episode_id = 99;
   const std::int64_t before = witness.episode_id;
   witness.bus.Publish(reset);
   ASSERT_TRUE(witness.Until(

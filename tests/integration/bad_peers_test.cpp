@@ -38,6 +38,10 @@ class OddRobot {
   std::function<void(int, observation_t*)> spoil;
   /// How long an action takes it.
   std::int64_t action_ms = 0;
+  /// What it does to each TASK, by the number of actions carried out.
+  std::function<void(int, task_t*)> change_task;
+  /// What it says of its scene, if anything, for how many actions.
+  int labelled_actions = 0;
   /// From the first command on its HEALTH gets lost, and nothing else.
   bool health_gets_lost = false;
 
@@ -48,6 +52,7 @@ class OddRobot {
     if (!due_.Due(services::SteadyMs())) return;
     SayTask();
     witness_.bus.Publish(status_);
+    SayLabel();
     Look();
   }
 
@@ -86,8 +91,22 @@ class OddRobot {
     task.image_width = task.image_height = kTaskSide;
     task.tick_seconds = 0.1;
     task.action_time_limit = 10;
+    if (change_task) change_task(static_cast<int>(status_.frame), &task);
     messages::SetCounts(task);
     witness_.bus.Publish(task);
+  }
+
+  void SayLabel() {
+    if (labelled_actions == 0) return;
+    label_t label{};
+    label.episode_id = kEpisode;
+    label.frame = status_.frame;
+    label.seed = -1;
+    label.action = label.previous_action = labelled_actions;
+    label.segment = -1;
+    label.present.assign(static_cast<std::size_t>(labelled_actions), 1);
+    messages::SetCounts(label);
+    witness_.bus.Publish(label);
   }
 
   void Look() {
@@ -189,6 +208,83 @@ TEST(BadPeers, WeightsOfAnotherTaskAreNamed) {
   ExpectNamed(deployment.Log("3-prospect-executive"),
               {"weights", "'scripted-tree'", "--weights", "'navigation'"});
   EXPECT_TRUE(witness.commands.empty());
+}
+
+int EndOf(Process& executive, Witness& witness) {
+  int code = -1;
+  witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000);
+  return code;
+}
+
+void ExpectRefused(const Deployment& deployment, const Witness& witness, const std::string& why) {
+  EXPECT_EQ(deployment.Result().at("outcome"), "refused");
+  const std::string reason = deployment.Result().at("reason");
+  EXPECT_NE(reason.find(why), std::string::npos) << reason;
+  EXPECT_NE(reason.find("--novelty 0 does without"), std::string::npos) << reason;
+  EXPECT_TRUE(witness.commands.empty());
+  ASSERT_FALSE(witness.plans.empty());
+  EXPECT_EQ(witness.plans.back().decision, plan_t::DECISION_REFUSE);
+}
+
+// A safeguard that cannot be asked does not pass.
+TEST(BadPeers, WhereNobodyKnowsThePictureNothingIsDone) {
+  Witness witness;
+  Deployment deployment("unasked_novelty");
+  ASSERT_TRUE(deployment.Up(witness, 1));
+  const std::vector<std::string> deaf{"--chaos", "drop=1,channel=PREDICT_REPLY"};
+  EXPECT_EQ(EndOf(deployment.Executive(deaf), witness), 3);
+  ExpectRefused(deployment, witness, "no server answered within 3 s");
+
+  const int code = EndOf(
+      deployment.Executive({"--novelty", "0", "--chaos", "drop=1,channel=PREDICT_REPLY"}), witness);
+  EXPECT_TRUE(code == 0 || code == 4) << code;
+  EXPECT_FALSE(witness.commands.empty());
+}
+
+TEST(BadPeers, AnUnreadableWordOnThePictureIsARefusal) {
+  Witness witness;
+  Deployment deployment("unreadable_novelty");
+  deployment.Simulator();
+  deployment.ModelServer({"--chaos", "drop=1,channel=PREDICT_REQUEST"});
+  deployment.Worker();
+  witness.bus.Subscribe<predict_request_t>([&](const predict_request_t& request) {
+    predict_reply_t reply{};
+    reply.client_id = request.client_id;
+    reply.request_id = request.request_id;
+    reply.search_id = request.search_id;
+    reply.path = request.path;
+    reply.status = expand_reply_t::STATUS_OK;
+    reply.reason = "p=certainly";
+    witness.bus.Publish(reply);
+  });
+  EXPECT_EQ(EndOf(deployment.Executive(), witness), 3);
+  ExpectRefused(deployment, witness, "a server's answer cannot be read: p=certainly");
+}
+
+TEST(BadPeers, ATaskThatChangesInMidEpisodeIsNamed) {
+  Witness witness;
+  Deployment deployment("changed_task");
+  OddRobot robot(witness);
+  robot.change_task = [](int actions, task_t* task) {
+    if (actions > 0) task->plan_length = 2;
+  };
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
+  EXPECT_EQ(EndOf(executive, witness, robot), 15);
+  ExpectNamed(deployment.Log("1-prospect-executive"), {"TASK has changed"});
+  EXPECT_EQ(deployment.Result().at("exit_code"), 15);
+}
+
+// Whatever ends an episode, result.json tells of it and the exit code is a documented one.
+TEST(BadPeers, WhatFitsNothingStillLeavesItsFiles) {
+  Witness witness;
+  Deployment deployment("odd_labels");
+  OddRobot robot(witness);
+  robot.labelled_actions = 2;
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "collect"});
+  EXPECT_EQ(EndOf(executive, witness, robot), 4);
+  ExpectNamed(deployment.Log("1-prospect-executive"), {"LABEL tells of 2 actions, TASK of 4"});
+  EXPECT_EQ(deployment.Result().at("outcome"), "stopped");
+  EXPECT_EQ(deployment.Result().at("exit_code"), 4);
 }
 
 }  // namespace

@@ -54,6 +54,10 @@ TEST(Episode, ServicesFirst) {
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, kEpisodeMs));
   witness.Listen(700);
   ExpectOneStory(witness, deployment, code);
+  const std::string said = deployment.Log("5-prospect-executive");
+  EXPECT_LT(said.find("1/3 investigate("), said.find("Step  Action"))
+      << "a line an action, then the table: " << said;
+  EXPECT_EQ(said.find("search 1:"), std::string::npos) << "searches are told with --verbose";
   if (!PROSPECT_PICTURES) return;
   EXPECT_FALSE(ReadText(deployment.folder + "/out/plan.png").empty());
   EXPECT_FALSE(ReadText(deployment.folder + "/out/episode.mp4").empty());
@@ -136,6 +140,38 @@ TEST(Episode, RefusalSendsNoAction) {
   EXPECT_EQ(witness.plans.back().decision, plan_t::DECISION_REFUSE);
   EXPECT_FALSE(witness.plans.back().reason.empty());
   EXPECT_EQ(witness.labels.rbegin()->first, 0) << "the world should have held still";
+}
+
+// Pictures of an episode that is over, which are late or said again, are none of the next one's,
+// though that is of the same seed.
+TEST(Episode, AnOldPictureOfTheSameSceneIsNotTaken) {
+  Witness witness;
+  observation_t picture{};
+  witness.bus.Subscribe<observation_t>([&](const observation_t& seen) { picture = seen; });
+  Deployment deployment("old_picture");
+  deployment.Simulator();
+  auto& first = deployment.Executive({"--policy", "plan:0,1,2"});
+  int code = -1;
+  ASSERT_TRUE(witness.Until([&] { return (code = first.Wait(0)) >= 0; }, kEpisodeMs));
+  ASSERT_TRUE(code == 0 || code == 4) << code;
+  ASSERT_GT(picture.frame, 0);
+  const observation_t old = picture;
+  const label_t old_label = witness.labels.rbegin()->second;
+  const action_status_t old_status = witness.statuses.back();
+  const std::size_t commands = witness.commands.size();
+
+  auto& second = deployment.Executive({"--policy", "plan:0,1,2"});
+  const auto repeat = [&] {
+    witness.bus.Publish(old_label);
+    witness.bus.Publish(old);
+    witness.bus.Publish(old_status);
+  };
+  const int first_code = code;
+  ASSERT_TRUE(witness.Until([&] { return (code = second.Wait(0)) >= 0; }, kEpisodeMs, repeat));
+  EXPECT_EQ(code, first_code) << deployment.Log("3-prospect-executive");
+  ASSERT_GT(witness.commands.size(), commands);
+  EXPECT_NE(witness.commands.back().episode_id, old.episode_id) << "a reset is another episode";
+  EXPECT_EQ(deployment.Result().at("seed"), 1500000);
 }
 
 }  // namespace

@@ -74,24 +74,39 @@ TEST_F(Promises, AreKeptByTheCalibrationOfTheWeights) {
   EXPECT_TRUE(code == 0 || code == 3) << code;
   ASSERT_FALSE(witness_.roots.empty());
   EXPECT_NEAR(LatestThreshold(), 0.10, 1e-6);  // the tenth of 99
-  auto confidence = deployment.Result().at("confidence");
-  EXPECT_EQ(confidence.at("calibration_scenes"), 99);
-  EXPECT_TRUE(Holds(confidence.at("promises").at(0), "Refuses at most 10 % of what can be done"));
-  EXPECT_EQ(confidence.at("caveat"), "");
+  auto refusals = deployment.Result().at("refusals");
+  EXPECT_EQ(refusals.at("calibration_scenes"), 99);
+  EXPECT_TRUE(Holds(refusals.at("promises").at(0), "Refuses at most 10 % of what can be done"));
+  EXPECT_EQ(refusals.at("caveat"), "");
   const std::string page = ReadText(deployment.folder + "/out/explain.html");
-  EXPECT_TRUE(Holds(page, "ucceed"));
+  EXPECT_EQ(Holds(page, "Succeeds in about"), !deployment.Result().at("confidence").is_null());
   EXPECT_TRUE(Holds(page, "When to refuse"));
   EXPECT_TRUE(Holds(page, "<svg "));
 
   // Both at once cannot be had: failing seldom holds, and the curve is shown.
   Explain(deployment, {"--refuse-at-most", "0.1", "--fail-at-most", "0.1", "--samples", "100"});
   EXPECT_GT(LatestThreshold(), 0.15);
-  confidence = deployment.Result().at("confidence");
-  EXPECT_TRUE(Holds(confidence.at("promises").back(), "Both cannot be had"));
-  EXPECT_TRUE(Holds(confidence.at("caveat"), "samples 100 instead of 150"));
+  refusals = deployment.Result().at("refusals");
+  EXPECT_TRUE(Holds(refusals.at("promises").back(), "Both cannot be had"));
+  EXPECT_TRUE(Holds(refusals.at("caveat"), "samples 100 instead of 150"));
   const std::string said = deployment.Log("5-prospect-executive");
   EXPECT_TRUE(Holds(said, "Both cannot be had")) << said;
   EXPECT_TRUE(Holds(said, " threshold   attempted")) << said;
+}
+
+// Where no plan is to be carried out nobody says how it would fare.
+TEST_F(Promises, ARefusedSceneHasNoConfidence) {
+  Deployment deployment("promise_refused");
+  ASSERT_TRUE(deployment.Up(witness_, 1));
+  Calibrate();
+  EXPECT_EQ(Explain(deployment, {"--refusal-threshold", "1"}), 3);
+  const auto result = deployment.Result();
+  EXPECT_GT(result.at("searches").at(0).at("score"), 0.01) << "scores like it were calibrated";
+  EXPECT_TRUE(result.at("confidence").is_null()) << result.at("confidence");
+  EXPECT_EQ(result.at("refusals").at("calibration_scenes"), 99) << "it was heard";
+  for (const std::string& said :
+       {deployment.Log("4-prospect-executive"), ReadText(deployment.folder + "/out/explain.html")})
+    EXPECT_FALSE(Holds(said, "ucceeds in about")) << said;
 }
 
 TEST_F(Promises, ThatNoThresholdKeepsAreRefusedBeforeAnythingIsSearched) {

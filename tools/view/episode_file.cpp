@@ -16,6 +16,9 @@ CarriedOut ReadEpisodeResult(const std::string& path) {
     CarriedOut episode;
     result.at("task").get_to(episode.task);
     episode.world_version = result.value("world_version", std::string());
+    if (result.at("seed").is_null())
+      throw EpisodeFileError(path +
+                             " tells of no simulated scene: there is no seed to make it from");
     result.at("seed").get_to(episode.seed);
     result.at("objects").get_to(episode.objects);
     result.at("plan_length").get_to(episode.plan_length);

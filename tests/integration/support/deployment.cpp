@@ -17,7 +17,9 @@ Process& Deployment::Simulator(const std::vector<std::string>& more) {
 }
 
 Process& Deployment::ModelServer(const std::vector<std::string>& more) {
-  return Start("prospect-model-server", {"--weights", "scripted:7"}, more);
+  const bool others = std::find(more.begin(), more.end(), "--weights") != more.end();
+  const std::vector<std::string> usual{"--weights", "scripted:7"};
+  return Start("prospect-model-server", others ? std::vector<std::string>() : usual, more);
 }
 
 Process& Deployment::Worker(const std::vector<std::string>& more) {

@@ -170,6 +170,7 @@ TEST(Validate, Label) {
                         {{"action: out of table", [](auto& m) { m.action = 3; }},
                          {"previous_action: out of table", [](auto& m) { m.previous_action = -1; }},
                          {"segment: below -1", [](auto& m) { m.segment = -2; }},
+                         {"seed: below -1", [](auto& m) { m.seed = -2; }},
                          {"segment_end: neither 0 nor 1", [](auto& m) { m.segment_end = 2; }},
                          {"outcome: unknown", [](auto& m) { m.outcome = 4; }},
                          {"light: out of range", [](auto& m) { m.light = kNan; }},
@@ -185,8 +186,10 @@ TEST(Validate, Commands) {
                                   {"action: out of range", [](auto& m) { m.action = 255; }}});
   sim_command_t reset{};
   reset.kind = sim_command_t::KIND_RESET;
+  reset.episode_id = 1;
   ExpectFaults<sim_command_t>(reset, {{"kind: unknown", [](auto& m) { m.kind = 4; }},
                                       {"seed: negative", [](auto& m) { m.seed = -1; }},
+                                      {"episode_id: below 1", [](auto& m) { m.episode_id = 0; }},
                                       {"objects: out of range", [](auto& m) { m.objects = -1; }},
                                       {"legs: out of range", [](auto& m) { m.legs = 33; }}});
 }

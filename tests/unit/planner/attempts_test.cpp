@@ -202,6 +202,34 @@ TEST(Attempts, ForgetsASurpriseWithThePartItWasAbout) {
   EXPECT_EQ(attempts.Next(answers.Search(), 0.1).action, 8);
 }
 
+// Where no other plan is possible, the present one is kept and nothing else is even searched.
+TEST(Attempts, KeepsThePresentPlanWhereNoOtherIsPossible) {
+  TaskRules rules = PickAndPut(3);
+  SetGoal(ParseGoal("on(red,blue)"), PickAndPutWords(), &rules);
+  rules.successors[5] = {1, 8};  // whoever has put something on blue cannot pick red again
+  rules.Prepare();
+  Attempts attempts(rules, 1, {0.3, 1});
+  attempts.CarriedOut(0);
+  attempts.CarriedOut(5);
+  ASSERT_TRUE(MayBeginAnew(rules, attempts.current().executed));
+  EXPECT_FALSE(CanBeDone(rules, BegunAnew(rules, attempts.current())));
+  Answers answers;
+  answers.Set({0, 5}, 3, Scoring(0.2, {8}));
+  const NextStep next = attempts.Next(answers.Search(), 0.9);
+  EXPECT_EQ(next.kind, NextStep::Kind::kAct);
+  EXPECT_EQ(next.action, 8);
+  EXPECT_EQ(answers.asked, 1);
+}
+
+TEST(Attempts, BeginsNothingAnewThatIsLongerThanAPath) {
+  Attempts attempts(PickAndPut(kMaxPathLength), 1, {0.3, 1});
+  attempts.CarriedOut(0);
+  attempts.CarriedOut(4);
+  Answers answers;
+  answers.Set({0, 4}, kMaxPathLength, Scoring(0.2, {7}));
+  EXPECT_EQ(attempts.Next(answers.Search(), 0.9).action, 7);
+}
+
 TEST(Attempts, HeedsSurprisesWhereItMayStillBeginAnew) {
   EXPECT_TRUE(Attempts(PickAndPut(3), 1).heeds_surprises());
   EXPECT_FALSE(Attempts(PickAndPut(3), 0).heeds_surprises());

@@ -61,7 +61,9 @@ TEST(PlanReader, RefusesWhenEveryFutureFailsAndSaysWhy) {
   EXPECT_EQ(plan.not_done, 1);
   EXPECT_EQ(plan.not_permitted, 1);
   EXPECT_EQ(plan.low_value, 0);
-  EXPECT_NE(plan.reason.find("every future fails"), std::string::npos) << plan.reason;
+  EXPECT_EQ(plan.reason,
+            "every future fails: 1 not permitted (p < 0.010), 1 with an action that would not "
+            "finish (f < 0.100)");
   ASSERT_EQ(plan.rejected.size(), 2u);
   EXPECT_EQ(plan.rejected[0].path, (Path{1, 0}));  // came furthest
   EXPECT_EQ(plan.rejected[0].rejection, Rejection::kNotPermitted);
@@ -70,6 +72,14 @@ TEST(PlanReader, RefusesWhenEveryFutureFailsAndSaysWhy) {
   EXPECT_EQ(plan.rejected[1].path, Path{0});
   EXPECT_EQ(plan.rejected[1].rejection, Rejection::kNotDone);
   EXPECT_NEAR(plan.rejected[1].steps[0].done, 0.05, 1e-6);
+}
+
+TEST(PlanReader, NumbersThatAreComparedDiffer) {
+  SearchParameters parameters;
+  parameters.refusal_threshold = 0.64804;
+  const Plan plan = PlanOf(TwoActionModel(), parameters);
+  EXPECT_EQ(plan.reason,
+            "the best of 2 complete futures scores 0.64800, below the threshold of 0.64804");
 }
 
 TEST(PlanReader, LowValueAtTheLastStepIsRejectedToo) {

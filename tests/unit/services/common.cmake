@@ -4,7 +4,7 @@ prospect_bus_test(services_survey_test SOURCES survey_test.cpp LIBS prospect_sur
 prospect_bus_test(services_wait_test SOURCES service_wait_test.cpp LIBS prospect_survey)
 prospect_test(services_supervisor_test SOURCES supervisor_test.cpp facts_test.cpp service_log_test.cpp state_folder_test.cpp
               supervision_test.cpp LIBS prospect_supervisor prospect_survey)
-prospect_test(services_common_test SOURCES common_test.cpp LIBS prospect_bus)
+prospect_test(services_common_test SOURCES common_test.cpp robot_hold_test.cpp LIBS prospect_bus)
 prospect_bus_test(services_chaos_test SOURCES chaos_test.cpp LIBS prospect_bus)
 prospect_test(services_authenticity_test SOURCES authenticity_test.cpp LIBS prospect_bus)
 target_compile_definitions(services_authenticity_test PRIVATE PROSPECT_KEYED="${CMAKE_SOURCE_DIR}/examples/keyed"

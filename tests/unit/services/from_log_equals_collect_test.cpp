@@ -32,7 +32,7 @@ std::vector<int> PlanOf(const model::Trial& trial) {
 void RecordFromBus(std::uint64_t seed, const sim::TaskOptions& options,
                    const std::vector<int>& plan, const std::string& path) {
   LogWriter log(path);
-  Scene scene("navigation", options, seed);
+  Scene scene("navigation", options, 4711, seed);
   const auto publish = [&] {
     log.Write(scene.observation());
     log.Write(scene.label());

@@ -48,6 +48,7 @@ label_t Label(std::int64_t episode, std::int64_t frame,
   label_t m{};
   m.episode_id = episode;
   m.frame = frame;
+  m.seed = -1;
   m.segment = static_cast<int>((frame + 1) / 2) - 1;
   m.action = m.segment < 0 ? kActions : m.segment;
   m.previous_action = m.segment == 1 ? 0 : kActions;
@@ -200,7 +201,28 @@ TEST_F(FromLog, OfTwoRunsOfOneSceneTheFirstWholeOneIsKept) {
   ASSERT_EQ(importer_.rows().size(), 4u);
   EXPECT_EQ(importer_.rows()[0].reason, "frame 2 is missing");
   EXPECT_EQ(importer_.rows()[2].outcome, "success");
-  EXPECT_EQ(importer_.rows()[3].reason, "this scene was recorded before and is kept already");
+  EXPECT_EQ(importer_.rows()[3].reason, "an episode numbered 7 is kept already");
+}
+
+// Simulated scenes go by their seed, whatever their episodes are called.
+TEST_F(FromLog, ASimulatedSceneIsKnownByItsSeed) {
+  {
+    LogWriter log(path_);
+    log.Write(Task());
+    for (const std::int64_t episode : {7, 8}) {
+      for (std::int64_t frame = 0; frame <= 4; ++frame) {
+        log.Write(Observation(episode, frame));
+        label_t label = Label(episode, frame);
+        label.seed = 123;
+        log.Write(label);
+      }
+    }
+  }
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].seed, 123u);
+  ASSERT_EQ(importer_.rows().size(), 2u);
+  EXPECT_EQ(importer_.rows()[1].reason, "this scene was recorded before and is kept already");
 }
 
 // The label of an old scene's last frame comes behind the first picture of the next scene.
@@ -304,10 +326,13 @@ TEST_F(FromLog, WhatIsNoLogIsAnError) {
 TEST_F(FromLog, TheSinksRefusalIsARow) {
   {
     LogWriter log(path_);
-    task_t simulated = Task();
-    simulated.world_version = "made-0123456789abcdef";
-    log.Write(simulated);
-    WriteRun(log, 2000000);
+    log.Write(Task());
+    for (std::int64_t frame = 0; frame <= 4; ++frame) {
+      log.Write(Observation(7, frame));
+      label_t label = Label(7, frame);
+      label.seed = 2'000'000;
+      log.Write(label);
+    }
   }
   LogImporter strict([](const model::Trial& trial) { model::ValidateTrial(trial); });
   EventLog log(path_);
@@ -338,17 +363,6 @@ TEST_F(FromLog, IdsOfARobotsEpisodesAreNoSeeds) {
   EXPECT_EQ(trials_[1].seed, 7u);
   EXPECT_LE(trials_[2].seed, model::kLastRecordedNumber);
   EXPECT_EQ(importer_.rows()[2].episode_id, kLong);
-}
-
-TEST(SimulatedSeed, IsThatOfTheWorldsOfOurSimulator) {
-  task_t task = Task();
-  for (const char* other : {"", "made-1", "video", "made-0123456789abcdeg",
-                            "made-0123456789abcdef0", "other-0123456789abcdef"}) {
-    task.world_version = other;
-    EXPECT_FALSE(SimulatedSeed(task, 2'000'000)) << other;
-  }
-  task.world_version = "made-0123456789abcdef";
-  EXPECT_EQ(SimulatedSeed(task, 2'000'000), std::uint64_t{2'000'000});
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "services/executive/explanation.h"
 #include "services/executive/report.h"
 
 namespace prospect::services {
@@ -30,77 +29,83 @@ bool Holds(const std::string& text, const std::string& part) {
 }
 
 TEST(Confidence, CountsScenesOfLikeScore) {
-  const Confidence sure = ConfidenceOf(Sample(), 0.9, "paper", {{"samples", 30}}, false);
-  EXPECT_EQ(sure.sample, 80);
-  EXPECT_GE(sure.scenes, 20);
-  EXPECT_GE(sure.share(), 0.8);
-  EXPECT_EQ(sure.caveat, "");
-  const Confidence unsure = ConfidenceOf(Sample(), 0.21, "paper", {{"samples", 30}}, false);
-  EXPECT_EQ(unsure.scenes, 30);
-  EXPECT_EQ(unsure.solved, 10);
-  EXPECT_EQ(SuccessSentence(unsure),
+  const auto sure = ConfidenceOf(Sample(), 0.84, 0);
+  ASSERT_TRUE(sure);
+  EXPECT_GE(sure->scenes, 20);
+  EXPECT_GE(sure->share(), 0.8);
+  const auto unsure = ConfidenceOf(Sample(), 0.21, 0);
+  ASSERT_TRUE(unsure);
+  EXPECT_EQ(unsure->scenes, 30);
+  EXPECT_EQ(unsure->solved, 10);
+  EXPECT_EQ(SuccessSentence(*unsure),
             "Succeeds in about 33 %: of 30 calibration scenes whose plan scored 0.200 to 0.229, "
             "10 were solved.");
-  EXPECT_EQ(SuccessSentence(unsure, false).rfind("Carried out, it would succeed in about 33 %", 0),
-            0u);
-  EXPECT_EQ(SuccessSentence(ConfidenceOf({}, 0.5, "paper", {}, false)), "");
 }
 
-TEST(Confidence, SaysWhatTheCalibrationDoesNotCover) {
-  const Confidence other = ConfidenceOf(Sample(), 0.9, "puct", {{"samples", 10}}, true);
-  EXPECT_EQ(other.caveat,
+TEST(Confidence, IsNotHadWhereNobodyCounted) {
+  EXPECT_FALSE(ConfidenceOf({}, 0.5, 0));
+  EXPECT_FALSE(ConfidenceOf(Sample(), 0.9, 0)) << "above every score";
+  EXPECT_FALSE(ConfidenceOf(Sample(), 0.199, 0)) << "below every score";
+  EXPECT_FALSE(ConfidenceOf(Sample(), 0.21, 0.9)) << "no scene is attempted";
+}
+
+// Scenes that the threshold would have refused say nothing of those that are attempted.
+TEST(Confidence, CountsNoSceneBelowTheThreshold) {
+  const auto confidence = ConfidenceOf(Sample(), 0.825, 0.8195);
+  ASSERT_TRUE(confidence);
+  EXPECT_GE(confidence->low, 0.8195);
+  EXPECT_EQ(confidence->scenes, 30);
+}
+
+TEST(RefusalTerms, SayWhatTheCalibrationDoesNotCover) {
+  EXPECT_EQ(TermsOf(Sample(), "paper", {{"samples", 30}}, false).caveat, "");
+  EXPECT_EQ(TermsOf(Sample(), "paper", {}, false).sample, 80);
+  EXPECT_EQ(TermsOf(Sample(), "puct", {{"samples", 10}}, true).caveat,
             "The calibration does not cover this search: rule puct instead of paper, samples 10 "
             "instead of 30, a goal, where the calibration had the task's own.");
 }
 
 TEST(RiskChart, ShowsTheCurveAndTheThresholdOnIt) {
-  const Confidence confidence = ConfidenceOf(Sample(), 0.9, "paper", {}, false);
-  const std::string chart = RiskChart(confidence, 0.5);
+  const RefusalTerms terms = TermsOf(Sample(), "paper", {}, false);
+  const std::string chart = RiskChart(terms, 0.5);
   EXPECT_EQ(chart.rfind("<svg ", 0), 0u);
   EXPECT_TRUE(Holds(chart, "<polyline "));
   EXPECT_TRUE(Holds(chart, "<circle ")) << "the threshold";
-  EXPECT_FALSE(Holds(RiskChart(confidence, 0.9), "<circle ")) << "above every score";
+  EXPECT_FALSE(Holds(RiskChart(terms, 0.9), "<circle ")) << "above every score";
   // Half of the wide range: 50 of 80 are attempted at 0.5, at x = 48 + 0.625 * 298.
   EXPECT_TRUE(Holds(chart, "<circle cx=\"234.2\"")) << chart;
   EXPECT_EQ(RiskChart({}, 0.5), "");
 }
 
-Explanation Refused() {
-  Explanation explanation;
-  explanation.reason = "too low";
-  explanation.chosen.steps.resize(1);
-  explanation.confidence = ConfidenceOf(Sample(), 0.21, "paper", {}, true);
-  explanation.confidence->promises = {"Refuses at most 5 %."};
-  return explanation;
-}
-
 TEST(ConfidenceSentences, TellSuccessPromisesAndCaveat) {
-  const auto sentences = ConfidenceSentences(Refused());
+  RefusalTerms terms = TermsOf(Sample(), "paper", {}, true);
+  terms.promises = {"Refuses at most 5 %."};
+  auto sentences = ConfidenceSentences(ConfidenceOf(Sample(), 0.21, 0), terms);
   ASSERT_EQ(sentences.size(), 3u);
-  EXPECT_TRUE(Holds(sentences[0], "it would succeed in about 33 %"));
+  EXPECT_TRUE(Holds(sentences[0], "Succeeds in about 33 %"));
   EXPECT_EQ(sentences[1], "Refuses at most 5 %.");
   EXPECT_TRUE(Holds(sentences[2], "does not cover"));
-  Explanation no_plan = Refused();
-  no_plan.chosen.steps.clear();
-  EXPECT_EQ(ConfidenceSentences(no_plan).size(), 2u) << "without a plan nothing would succeed";
-  EXPECT_TRUE(ConfidenceSentences({}).empty());
+  sentences = ConfidenceSentences(std::nullopt, terms);
+  EXPECT_EQ(sentences.size(), 2u) << "the promise and its caveat";
+  terms.promises.clear();
+  EXPECT_TRUE(ConfidenceSentences(std::nullopt, terms).empty()) << "a caveat to nothing";
+  EXPECT_TRUE(ConfidenceSentences(std::nullopt, std::nullopt).empty());
 }
 
 TEST(ConfidenceInReports, StandsInTheTableAndInResultJson) {
   EpisodeRecord record;
   record.outcome = "solved";
-  record.confidence = ConfidenceOf(Sample(), 0.21, "paper", {}, false);
-  record.confidence->promises = {"Refuses at most 5 %."};
-  record.searches.resize(1);
-  record.searches[0].act = true;
-  record.searches[0].steps.resize(1);
+  record.confidence = ConfidenceOf(Sample(), 0.21, 0);
+  record.terms = TermsOf(Sample(), "paper", {}, false);
+  record.terms->promises = {"Refuses at most 5 %."};
   EXPECT_TRUE(Holds(PlanTable(record), "At the start: Succeeds in about 33 %"));
   EXPECT_TRUE(Holds(PlanTable(record), "Refuses at most 5 %."));
   const std::string json = ResultJson(record, 0);
   EXPECT_TRUE(Holds(json, "\"success\": 0.3333"));
   EXPECT_TRUE(Holds(json, "\"calibration_scenes\": 80"));
   record.confidence.reset();
-  EXPECT_FALSE(Holds(ResultJson(record, 0), "\"confidence\""));
+  EXPECT_TRUE(Holds(ResultJson(record, 0), "\"confidence\": null"));
+  EXPECT_FALSE(Holds(PlanTable(record), "At the start"));
 }
 
 }  // namespace

@@ -123,8 +123,9 @@ TEST(ExplanationPageTest, TellsWhatCalibrationScenesSay) {
   for (int i = 0; i < 40; ++i)
     sample.scenes.push_back({0.02 * i, model::SceneClass::kSolvable,
                              i < 10 ? model::SceneEnding::kFailed : model::SceneEnding::kSolved});
-  explanation.confidence = ConfidenceOf(sample, 0.66, "paper", {}, false);
-  explanation.confidence->promises = {"Refuses at most <5 %."};
+  explanation.confidence = ConfidenceOf(sample, 0.66, 0);
+  explanation.terms = TermsOf(sample, "paper", {}, false);
+  explanation.terms->promises = {"Refuses at most <5 %."};
   const std::string page = ExplanationPage(explanation);
   EXPECT_EQ(TagDefects(page), "");
   EXPECT_NE(page.find("Succeeds in about 75 %: of 40 calibration scenes"), std::string::npos);
@@ -181,20 +182,6 @@ TEST(ExplanationPageTest, ARefusalWithoutASearchSaysSo) {
   EXPECT_NE(page.find("Nothing was searched"), std::string::npos);
   EXPECT_EQ(page.find("Rollouts"), std::string::npos);
   EXPECT_NE(ExplanationPage(Acting()).find("Rollouts"), std::string::npos);
-}
-
-TEST(ExplanationPageTest, ARefusalComparesItsScore) {
-  Explanation explanation = Acting();
-  explanation.act = false;
-  explanation.score = 0.15;
-  explanation.reason = "below";
-  const std::string page = ExplanationPage(explanation);
-  EXPECT_NE(page.find("The best that was imagined scores 0.15; plans below 0.21 are refused."),
-            std::string::npos);
-  // Refused for something else than its score.
-  explanation.score = 0.5;
-  EXPECT_EQ(ExplanationPage(explanation).find("The best that was imagined scores"),
-            std::string::npos);
 }
 
 TEST(ExplanationPageTest, WithoutAThresholdNoneIsNamed) {

@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "planner/apart.h"
+
 namespace prospect::services {
 namespace {
 
@@ -99,10 +101,11 @@ TEST(WhyLostTest, NumbersThatAreComparedDiffer) {
   const auto why = Why(FutureOf({{1, 0.0999}}, Rejection::kLowValue));
   EXPECT_NE(why.find("to 0.0999 at"), std::string::npos) << why;
   EXPECT_NE(why.find("below 0.1000 a"), std::string::npos) << why;
-  EXPECT_EQ(Apart(0.52, 0.88), "0.52");
-  EXPECT_EQ(Apart(0.8801, 0.8803), "0.8801");
-  EXPECT_EQ(Apart(0.5, 0.5), "0.50");
-  EXPECT_EQ(Apart(0.5, 0.5 + 1e-9), "0.500000");
+  EXPECT_EQ(planner::Apart(0.52, 0.88), "0.52");
+  EXPECT_EQ(planner::Apart(0.8801, 0.8803), "0.8801");
+  EXPECT_EQ(planner::Apart(0.5, 0.5), "0.50");
+  EXPECT_EQ(planner::Apart(0.5, 0.5 + 1e-9), "0.500000");
+  EXPECT_EQ(planner::Apart(0.0316, 0.032, 3), "0.0316");
 }
 
 TEST(WhyLostTest, AnActionThatWouldFail) {
@@ -212,7 +215,11 @@ TEST(ExplainTest, ARefusalShowsTheBestOfTheBadOnesAndWhy) {
   const Explanation explanation = Explain(plan, Context());
   EXPECT_FALSE(explanation.act);
   EXPECT_EQ(Headline(explanation), "Refuse");
-  EXPECT_EQ(explanation.reason, plan.reason);
+  EXPECT_EQ(explanation.reason.rfind("no plan scores enough; closest: a, b, c: score 0.15, below "
+                                     "0.20; ",
+                                     0),
+            0u)
+      << explanation.reason;
   EXPECT_EQ(explanation.chosen.why.rfind("Scores 0.15, below the 0.20", 0), 0u);
   // The best itself is not listed again.
   ASSERT_EQ(explanation.alternatives.size(), 1u);
@@ -230,8 +237,34 @@ TEST(ExplainTest, WhereEveryFutureFailsThereIsNoBest) {
   EXPECT_TRUE(explanation.chosen.steps.empty());
   EXPECT_EQ(explanation.alternatives.size(), 2u);
   const std::string text = ExplanationText(explanation);
-  EXPECT_EQ(text.rfind("Refuse. Every future fails.\n", 0), 0u) << text;
+  EXPECT_EQ(text.rfind("Refuse. Every future fails; closest: step 2, lift_from(green): V 0.05, "
+                       "below 0.10; ",
+                       0),
+            0u)
+      << text;
   EXPECT_NE(text.find("f of step 1 is 0.01"), std::string::npos) << text;
+}
+
+// The first sentence of a refusal names what came closest, with its number and the bound.
+TEST(RefusalReasonTest, NamesTheNearestMiss) {
+  Plan plan;
+  plan.status = PlanStatus::kRefused;
+  plan.rejected = {FutureOf({{1, 0.5, 0.0996}}, Rejection::kNotDone),
+                   FutureOf({{2, 0.5, 0.01}}, Rejection::kNotDone)};
+  plan.not_done = 2;
+  EXPECT_EQ(RefusalReason(plan, Context()),
+            "every future fails; closest: step 1, b: f 0.0996, below 0.1000; in all: 2 with an "
+            "action that would not finish (f < 0.100)");
+  plan.rejected.insert(plan.rejected.begin(),
+                       FutureOf({{0, 0.5}, {3, 0, 0, 0.002}}, Rejection::kNotPermitted));
+  plan.not_permitted = 1;
+  EXPECT_EQ(RefusalReason(plan, Context())
+                .rfind("every future fails; closest: step 2, lift_from(green): p 0.002, below", 0),
+            0u);
+  EXPECT_EQ(RefusalReason(Good(), Context()), "");
+  Plan unknown;
+  unknown.reason = "the scene itself was not evaluated";
+  EXPECT_EQ(RefusalReason(unknown, Context()), unknown.reason);
 }
 
 TEST(ExplainTest, NothingAtAllIsKnown) {

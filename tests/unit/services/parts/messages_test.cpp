@@ -159,6 +159,34 @@ TEST(TaskMessages, TheGoalOfASearchNarrowsItsRules) {
   EXPECT_TRUE(both.GoalMet({1}, {0}));
 }
 
+// A plan that was begun anew is longer than any that the task itself has.
+TEST(TaskMessages, AGoalHoldsForPlansBegunAnewToo) {
+  task_t task{};
+  for (int i = 0; i < 4; ++i) {
+    action_t action{};
+    action.index = i;
+    action.name = "a" + std::to_string(i);
+    action.kind = "investigate";
+    action.object = action.name;
+    task.actions.push_back(action);
+  }
+  task.actions[0].successors = {1};
+  task.actions[1].successors = {0, 2};  // begin anew, or go on
+  task.actions[2].successors = {3};
+  task.actions[3].successors = {0};
+  task.initial = {0};
+  task.plan_length = 4;
+  task.repeats_allowed = 1;
+  task.num_actions = 4;
+  search_root_t root = RootWith({"visited(a3)"});
+  SetPlanLength(5, &root);
+  const auto rules = RulesOfSearch(task, root);
+  EXPECT_TRUE(rules.AllowedActions({}, {}).empty()) << "no plan of five begins at the beginning";
+  EXPECT_EQ(rules.AllowedActions({1}, {}), (std::vector<int>{0}));
+  EXPECT_TRUE(rules.Legal({1}, {0, 1, 2, 3}));
+  EXPECT_EQ(NamesOf(task, {1, 0, 9}), "a1, a0, action 9");
+}
+
 TEST(TaskMessages, NonsenseGoalsAreRefused) {
   const task_t task = SmallTask();
   for (const char* goal : {"", "visited(", "on(a,b)", "visited(nobody)", "\xff\x01", "on(*,*)"})

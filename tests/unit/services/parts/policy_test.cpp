@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stdexcept>
 
 namespace prospect::services {
 namespace {
@@ -71,6 +72,12 @@ TEST(PolicyTest, ExpertNeverTriesAgainAndCollectSometimes) {
   }
   EXPECT_GT(longer, 5);
   EXPECT_LT(longer, 60);
+}
+
+TEST(PolicyTest, LabelsOfAnotherTableAreNamed) {
+  label_t label{};
+  label.present = {1, 1};
+  EXPECT_THROW(CollectPlan(FreeTask(6, 3), label, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -89,6 +89,23 @@ TEST(ReportTest, TableNamesVerdict) {
   EXPECT_NE(table.find("0.700"), std::string::npos) << table;
 }
 
+TEST(ReportTest, WithoutStepsThereIsNoTable) {
+  EpisodeRecord record;
+  record.outcome = "refused";
+  record.reason = "the goal cannot be brought about";
+  EXPECT_EQ(PlanTable(record), "Refused, nothing was done: the goal cannot be brought about\n");
+}
+
+// What a robot says need not be UTF-8, and must not keep result.json from being written.
+TEST(ReportTest, ReasonsThatAreNoTextEndNoEpisode) {
+  EpisodeRecord record = FailedEpisode();
+  record.acts[1].reason = record.reason = "gripper \xff\xfe";
+  record.seed = -1;
+  const auto json = nlohmann::json::parse(ResultJson(record, 4));
+  EXPECT_EQ(json.at("reason").get<std::string>().rfind("gripper ", 0), 0u);
+  EXPECT_TRUE(json.at("seed").is_null()) << "no simulated scene";
+}
+
 TEST(ReportTest, PictureIsWrittenWithAndWithoutImages) {
   if (!PROSPECT_PICTURES) GTEST_SKIP() << "built without OpenCV";
   const std::string path = testing::TempDir() + "plan_picture_" + std::to_string(getpid()) + ".png";

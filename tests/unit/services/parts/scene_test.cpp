@@ -11,6 +11,7 @@ namespace prospect::services {
 namespace {
 
 constexpr std::uint64_t kSeed = 12;
+constexpr std::int64_t kEpisode = 77;
 
 struct NoisyFrames : sim::FrameSink {
   void OnFrame(const sim::Image& image, const sim::Progress& now) override {
@@ -31,7 +32,7 @@ TEST(SceneTest, FramesEqualTheRolloutsWithSensorNoise) {
   NoisyFrames expected;
   sim::RunPlan(*task, {action}, &expected);
 
-  Scene scene("navigation", {}, kSeed);
+  Scene scene("navigation", {}, kEpisode, kSeed);
   ASSERT_EQ(scene.observation().data, expected.frames[0]);
   ASSERT_EQ(scene.Start(action), "");
   for (std::size_t frame = 1; frame < expected.frames.size(); ++frame) {
@@ -46,7 +47,7 @@ TEST(SceneTest, FramesEqualTheRolloutsWithSensorNoise) {
 }
 
 TEST(SceneTest, RefusesWhatCannotBeDone) {
-  Scene scene("navigation", {}, kSeed);
+  Scene scene("navigation", {}, kEpisode, kSeed);
   EXPECT_NE(scene.Start(200), "");
   EXPECT_NE(scene.Start(-1), "");
   const auto& present = scene.label().present;
@@ -57,7 +58,7 @@ TEST(SceneTest, RefusesWhatCannotBeDone) {
 }
 
 TEST(SceneTest, CancelBrakesAndThenHoldsStill) {
-  Scene scene("navigation", {}, kSeed);
+  Scene scene("navigation", {}, kEpisode, kSeed);
   int action = 0;
   while (scene.Start(action) != "") ++action;
   scene.Tick();
@@ -72,20 +73,34 @@ TEST(SceneTest, CancelBrakesAndThenHoldsStill) {
 }
 
 TEST(SceneTest, OptionsOutOfRangeLeaveTheSceneAlone) {
-  Scene scene("navigation", {}, kSeed);
+  Scene scene("navigation", {}, kEpisode, kSeed);
   const auto hash = scene.task().task_hash;
-  EXPECT_THROW(scene.Reset(13, 99, 3), std::invalid_argument);
-  EXPECT_EQ(scene.episode_id(), static_cast<std::int64_t>(kSeed));
-  scene.Reset(13, 7, 5);
-  EXPECT_EQ(scene.episode_id(), 13);
+  EXPECT_THROW(scene.Reset(kEpisode + 1, 13, 99, 3), std::invalid_argument);
+  EXPECT_EQ(scene.episode_id(), kEpisode);
+  scene.Reset(kEpisode + 1, 13, 7, 5);
+  EXPECT_EQ(scene.episode_id(), kEpisode + 1);
   EXPECT_EQ(scene.task().plan_length, 5);
   EXPECT_NE(scene.task().task_hash, hash);
   EXPECT_EQ(TaskHash(scene.task()), scene.task().task_hash);
 }
 
+// The same seed is the same scene, and yet another episode.
+TEST(SceneTest, AResetBeginsAnotherEpisodeWhateverItsSeed) {
+  Scene scene("navigation", {}, kEpisode, kSeed);
+  const auto first = scene.observation();
+  EXPECT_EQ(first.episode_id, kEpisode);
+  EXPECT_EQ(scene.label().seed, static_cast<std::int64_t>(kSeed));
+  EXPECT_THROW(scene.Reset(kEpisode, kSeed, 0, 0), std::invalid_argument);
+  scene.Reset(kEpisode + 1, kSeed, 0, 0);
+  EXPECT_EQ(scene.observation().episode_id, kEpisode + 1);
+  EXPECT_EQ(scene.observation().data, first.data);
+  EXPECT_EQ(scene.label().episode_id, kEpisode + 1);
+  EXPECT_EQ(scene.label().seed, static_cast<std::int64_t>(kSeed));
+}
+
 // Stacking needs no message of its own: plan length is what tells its towers apart.
 TEST(SceneTest, StackingSpeaksTheSameMessages) {
-  Scene scene("stacking", {}, kSeed);
+  Scene scene("stacking", {}, kEpisode, kSeed);
   EXPECT_EQ(scene.task().num_actions, 36);
   EXPECT_EQ(scene.task().plan_length, 9);
   EXPECT_EQ(scene.task().repeats_allowed, 1);
@@ -95,16 +110,16 @@ TEST(SceneTest, StackingSpeaksTheSameMessages) {
   ASSERT_EQ(scene.Start(2), "");
   scene.Tick();
   EXPECT_EQ(scene.label().action, 2);
-  scene.Reset(kSeed, 0, 18);
+  scene.Reset(kEpisode + 1, kSeed, 0, 18);
   EXPECT_EQ(scene.task().plan_length, 18);
-  EXPECT_THROW(scene.Reset(kSeed, 0, 10), std::invalid_argument);
+  EXPECT_THROW(scene.Reset(kEpisode + 2, kSeed, 0, 10), std::invalid_argument);
   EXPECT_EQ(scene.task().plan_length, 18) << "a refused reset leaves the scene as it was";
   ASSERT_EQ(scene.Start(2), "");
 }
 
 // Gestures are numbered as in JIGSAWS, less one; those that suturing does not have are never legal.
 TEST(SceneTest, SuturingSpeaksTheSameMessages) {
-  Scene scene("suturing", {}, kSeed);
+  Scene scene("suturing", {}, kEpisode, kSeed);
   EXPECT_EQ(messages::Validate(scene.task()), "");
   EXPECT_EQ(messages::Validate(scene.observation()), "");
   EXPECT_EQ(messages::Validate(scene.label()), "");
