@@ -138,6 +138,7 @@ std::string Verdict(const Explanation& explanation) {
       "\n";
   words += Paragraph(ScoreSentence(explanation));
   if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
+  if (!explanation.not_covered.empty()) words += Paragraph(explanation.not_covered);
   for (const auto& sentence : ConfidenceSentences(explanation.confidence, explanation.terms))
     words += Paragraph(sentence);
   words += Paragraph(
