@@ -13,6 +13,7 @@ Prospect: looks at a scene, imagines what its actions would do, and acts on the 
   ./prospect run --seed S         one episode against the services that are up
   ./prospect predict --out DIR    what the scene that is up will look like after the next actions, as pictures; nothing is planned
   ./prospect status [--watch]     each of them: state, age of its last sign of life, queue, restarts
+  ./prospect key                  the file of the deployment's key, which a robot needs
   ./prospect scale workers=N      more or fewer planner workers while they run
   ./prospect down                 stop them
   ./prospect check-robot          tries a robot in the simulator's place (or the simulator): it moves

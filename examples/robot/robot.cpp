@@ -1,11 +1,15 @@
 // A robot in the simulator's place, with nothing but LCM and the generated message types: a toy
 // rover among four things, seen from above. Put a camera into Look() and controllers into Drive().
-// Usage: example-robot [BUS-URL]; ./prospect check-robot tells whether a robot keeps to the rules.
+// ./prospect check-robot tells whether a robot keeps to the rules.
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
+#include <optional>
 #include <string>
 
+#include "examples/keyed/keyed.h"
 #include "prospect/action_command_t.hpp"
 #include "prospect/action_status_t.hpp"
 #include "prospect/health_t.hpp"
@@ -31,9 +35,10 @@ std::int64_t Utime() { return Microseconds<std::chrono::system_clock>(); }
 
 class Robot {
  public:
-  explicit Robot(const std::string& bus) : lcm_(bus) {
-    lcm_.subscribe("ACTION_COMMAND", &Robot::OnCommand, this);
-    lcm_.subscribe("HEALTH", &Robot::OnHealth, this);
+  Robot(const std::string& bus, const std::string& key_file) : lcm_(bus) {
+    if (!key_file.empty()) key_.emplace(key_file);
+    lcm_.subscribe("ACTION_COMMAND", &Robot::Hear<action_command_t>, this);
+    lcm_.subscribe("HEALTH", &Robot::Hear<health_t>, this);
     status_.episode_id = id_ / 1'000'000;  // any number that names this episode
     status_.action = -1;
     status_.state = action_status_t::STATE_IDLE;
@@ -49,8 +54,20 @@ class Robot {
 
  private:
   bool running() const { return status_.state == action_status_t::STATE_RUNNING; }
+
+  // With a key, who does not have it is not heard.
+  template <class T>
+  void Hear(const lcm::ReceiveBuffer* buffer, const std::string& channel) {
+    const auto* data = static_cast<const std::uint8_t*>(buffer->data);
+    Keyed::Bytes bytes(data, data + buffer->data_size);
+    if (key_ && !key_->Verify(channel, &bytes)) return;
+    T message{};
+    const int size = static_cast<int>(bytes.size());
+    if (message.decode(bytes.data(), 0, size) == size) On(&message);
+  }
+
   // A command is carried out once, however often it arrives: the ids of an executive grow.
-  void OnCommand(const lcm::ReceiveBuffer*, const std::string&, const action_command_t* c) {
+  void On(const action_command_t* c) {
     if (c->executive_id == status_.executive_id && c->command_id <= status_.command_id) return;
     const bool start = c->kind == action_command_t::KIND_START;
     std::string refusal;
@@ -76,7 +93,7 @@ class Robot {
     if (!refusal.empty() && apart) status_ = before;
   }
 
-  void OnHealth(const lcm::ReceiveBuffer*, const std::string&, const health_t* h) {
+  void On(const health_t* h) {
     if (h->instance_id != status_.holder_id) return;
     heard_ = h->state == health_t::STATE_DRAINING ? Now() - 2 * kSilent : Now();  // it leaves
   }
@@ -146,10 +163,14 @@ class Robot {
   template <class T>
   void Publish(const char* channel, T* message) {
     message->utime = Utime();
-    lcm_.publish(channel, message);
+    Keyed::Bytes bytes(static_cast<std::size_t>(message->getEncodedSize()));
+    message->encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    if (key_) bytes = key_->Sign(channel, bytes);
+    lcm_.publish(channel, bytes.data(), static_cast<unsigned>(bytes.size()));
   }
 
   lcm::LCM lcm_;
+  std::optional<Keyed> key_;  // none: an open bus, where whoever can send moves this robot
   const std::int64_t id_ = Utime(), start_ = Now();
   action_status_t status_{};
   std::int64_t began_ = 0, heard_ = 0;
@@ -158,6 +179,21 @@ class Robot {
 };
 
 int main(int argc, char** argv) {
-  Robot(argc > 1 ? argv[1] : "udpm://239.255.76.67:7667?ttl=0").Run();
+  const char* const key = std::getenv("PROSPECT_KEY_FILE");
+  std::string bus, key_file = key ? key : "";  // no bus: LCM_DEFAULT_URL, then LCM's default
+  for (int i = 1; i < argc; i += 2) {
+    const std::string option = argv[i];
+    if ((option != "--bus" && option != "--key") || i + 1 == argc) {
+      std::printf("usage: example-robot [--bus URL] [--key FILE]\n");
+      return option == "--help" ? 0 : 2;
+    }
+    (option == "--bus" ? bus : key_file) = argv[i + 1];
+  }
+  try {
+    Robot(bus, key_file).Run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 2;
+  }
   return 11;
 }

@@ -116,6 +116,24 @@ TEST_F(Authentic, TheSameCommandWithTheKeyMoves) {
                             }));
 }
 
+// A robot in another program, by examples/keyed.
+TEST_F(Authentic, TheExampleRobotObeysTheKeyAlone) {
+  Witness witness;
+  Process robot("example-robot", {"--bus", witness.bus.url()},
+                MakeFolder("authentic_robot") + "/robot.log");
+  ASSERT_TRUE(witness.Until([&] { return !witness.statuses.empty(); }, 10000));
+  witness.episode_id = witness.statuses.back().episode_id;
+  witness.Until([] { return false; }, 1000, [&] { ForgeCommands(witness); });
+  EXPECT_FALSE(Moved(witness));
+  Commander commander(witness);
+  const auto start = commander.Start(1, 0);
+  EXPECT_TRUE(witness.Until([&] { return Moved(witness); }, 10000,
+                            [&] {
+                              commander.Beat();
+                              commander.Say(start);
+                            }));
+}
+
 TEST_F(Authentic, AWholeEpisodeGoesOnBesideAForger) {
   Witness witness;
   Deployment deployment("authentic_episode");
