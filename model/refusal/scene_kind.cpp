@@ -31,11 +31,7 @@ std::string NotCovered(const CalibrationSample& sample, const SceneKind& kind) {
   if (longer && kind.tower > 0)
     asked = "towers of " + std::to_string(kind.tower) + " (" + asked + ")";
   return "These weights were calibrated on " + known + ", not on " + asked +
-         ", and may not have been trained for them: how often they succeed here is not known. "
-         "Their "
-         "own refusal threshold does not hold either; without another one only plans with an "
-         "action "
-         "that would not finish (f), or that lead to failure (V), are refused.";
+         ", and may not have been trained for them: how often they succeed here is not known.";
 }
 
 }  // namespace prospect::model
