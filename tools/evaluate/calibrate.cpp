@@ -118,7 +118,10 @@ std::string HeedCoverage(const std::string& weights, const model::SceneKind& kin
   const std::string words = model::NotCovered(model::CalibrationOf(weights).sample, kind);
   if (words.empty()) return words;
   std::cerr << words << "\n";
-  if (*threshold < 0) *threshold = 0;
+  if (*threshold >= 0) return words;
+  std::cerr << "Their own refusal threshold does not hold either: here nothing is refused for its "
+               "score (an executive would refuse all of it); --threshold sets another.\n";
+  *threshold = 0;
   return words;
 }
 

@@ -31,7 +31,7 @@ TEST(NotCovered, OthersAreNamed) {
                     "calibrated on plans of 9 actions, not on towers of 3 (plans of 18 "
                     "actions), and may not have been trained for them"))
       << higher;
-  EXPECT_TRUE(Holds(higher, "threshold does not hold")) << higher;
+  EXPECT_TRUE(Holds(higher, "how often they succeed here is not known")) << higher;
   const CalibrationSample three_of_four = Of({{"plan_length", 3}});
   EXPECT_TRUE(Holds(NotCovered(three_of_four, {5, 7, 0}),
                     "plans of 3 actions among 4 objects, not on plans of 5 actions among 7"));
