@@ -264,14 +264,16 @@ TEST_F(FromLog, TaggedMessagesAreReadWithoutTheirTags) {
   {
     LogWriter log(path_);
     MessageSigner signer(BusKey{{1}});
-    const auto write = [&](const char* channel, std::vector<std::uint8_t> bytes) {
+    const auto write = [&](const char* channel, auto message) {
+      messages::SetCounts(message);
+      std::vector<std::uint8_t> bytes = messages::CheckedEncode(message);
       signer.Sign(channel, &bytes);
       log.WriteRaw(channel, bytes);
     };
-    write("TASK", messages::CheckedEncode(Task()));
+    write("TASK", Task());
     for (std::int64_t frame = 0; frame <= 4; ++frame) {
-      write("OBSERVATION", messages::CheckedEncode(Observation(7, frame)));
-      write("LABEL", messages::CheckedEncode(Label(7, frame)));
+      write("OBSERVATION", Observation(7, frame));
+      write("LABEL", Label(7, frame));
     }
   }
   Import();
