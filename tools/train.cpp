@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/json_file.h"
+#include "base/lock.h"
 #include "base/strict_json.h"
 #include "model/dataset.h"
 #include "model/training/config_choices.h"
@@ -171,6 +172,7 @@ int Run(Arguments a) {
   if (a.options.data.empty() || a.options.folder.empty()) {
     throw std::invalid_argument("--data and --out are required");
   }
+  const base::Lock own = base::LockFolder(a.options.folder);
   if (!a.scored_weights.empty()) return ScoreOnly(a);
   a.options.stages.insert(a.stages.begin(), a.stages.end());
   a.options.fresh.insert(a.fresh.begin(), a.fresh.end());

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "base/atomic_file.h"
-#include "base/lock.h"
 #include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/heads_stage.h"
@@ -198,7 +197,6 @@ std::string CachePath(const TrainOptions& options, const std::string& name,
 }  // namespace
 
 struct Trainer::Impl {
-  base::Lock own;  // of the folder: another run would write the same checkpoints
   TrainConfig config;
   TrainOptions options;
   TrialFile file;
@@ -213,8 +211,7 @@ struct Trainer::Impl {
   std::vector<std::string> curves;  // files, in the order of `stages`
 
   Impl(const TrainConfig& c, const TrainOptions& o)
-      : own(base::LockFolder(o.folder)),
-        config(c),
+      : config(c),
         options(o),
         file(o.data),
         samples(ReadSamplesFor(file, c, o)),

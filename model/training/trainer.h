@@ -43,8 +43,8 @@ struct StageSummary {
 /// the same inputs. One object one run; not thread-safe. It uses `threads` threads inside.
 class Trainer {
  public:
-  /// Locks the folder, reads labels and builds the picture cache. Throws DataError, WeightsError,
-  /// std::invalid_argument, and base::InUseError where another run works in the folder.
+  /// Reads labels and builds the picture cache. The folder is the caller's to lock: another process
+  /// would write the same checkpoints. Throws DataError, WeightsError, std::invalid_argument.
   Trainer(const TrainConfig& config, const TrainOptions& options);
   ~Trainer();
 

@@ -28,7 +28,7 @@ void AddSpeedup(const std::vector<SearchRun>& first, const std::vector<SearchRun
 std::string TableHead();
 std::string TableLine(const nlohmann::json& row);
 
-/// All keys of the rows, one line a row. @throws ExitError (kExitDisk)
+/// All keys of the rows, one line a row. @throws base::DiskError
 void WriteCsv(const std::string& path, const nlohmann::json& rows);
 
 }  // namespace prospect::services
