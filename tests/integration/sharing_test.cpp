@@ -68,9 +68,9 @@ TEST(Sharing, EveryWorkerReadsOffTheSamePlan) {
   ASSERT_FALSE(witness.plans.empty());
   std::string steps;
   for (const auto& step : witness.plans.back().steps) {
-    steps += (steps.empty() ? "" : "-") + std::to_string(step.action);
+    steps += (steps.empty() ? "" : ", ") + step.name;
   }
-  EXPECT_NE(notes().begin()->find("plan " + steps + " "), std::string::npos)
+  EXPECT_NE(notes().begin()->find("plan " + steps + ";"), std::string::npos)
       << steps << " | " << *notes().begin();
 }
 
