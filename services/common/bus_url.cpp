@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "services/common/host_filter.h"
+
 namespace prospect::services {
 namespace {
 
 constexpr char kBufferOption[] = "recv_buf_size=";
 constexpr long kDefaultBuffer = 4194304;
-
-bool IsUdp(const std::string& url) { return url.rfind("udpm://", 0) == 0; }
 
 std::string FirstChoice(const std::string& option) {
   if (!option.empty()) return option;
@@ -26,7 +26,7 @@ long RequestedBuffer(const std::string& url) {
 
 std::string ResolveBusUrl(const std::string& option) {
   std::string url = FirstChoice(option);
-  if (IsUdp(url) && url.find(kBufferOption) == std::string::npos) {
+  if (IsUdpMulticast(url) && url.find(kBufferOption) == std::string::npos) {
     url += url.find('?') == std::string::npos ? '?' : '&';
     url += kBufferOption + std::to_string(kDefaultBuffer);
   }
@@ -42,7 +42,7 @@ long ReceiveBufferLimit() {
 std::string ReceiveBufferWarning(const std::string& url) {
   const long wanted = RequestedBuffer(url);
   const long limit = ReceiveBufferLimit();
-  if (!IsUdp(url) || limit == 0 || wanted <= limit) return "";
+  if (!IsUdpMulticast(url) || limit == 0 || wanted <= limit) return "";
   return "the host cuts the bus's receive buffer from " + std::to_string(wanted) + " to " +
          std::to_string(limit) +
          " bytes, so bursts may be lost; mend it with: sysctl -w net.core.rmem_max=" +
@@ -56,7 +56,7 @@ std::string BusAdvice(const std::string& url) {
            "of "
            "the URL (--bus or LCM_DEFAULT_URL)";
   }
-  if (!IsUdp(url)) {
+  if (!IsUdpMulticast(url)) {
     return "cannot open the bus '" + url +
            "': the URL must be like udpm://239.255.76.67:7667?ttl=0 (also tcpq://HOST:PORT, "
            "file://LOG)";

@@ -22,8 +22,6 @@ constexpr int kPort = 7667;
 constexpr std::string_view kUdp = "udpm://";
 constexpr std::string_view kTtl = "ttl=";
 
-bool IsUdp(const std::string& url) { return url.compare(0, kUdp.size(), kUdp) == 0; }
-
 int SmallestTtl(const std::string& url) {
   std::optional<int> smallest;
   for (auto at = url.find(kTtl); at != std::string::npos; at = url.find(kTtl, at + 1)) {
@@ -104,8 +102,10 @@ bool Filter(int file, std::uint32_t group, bool this_machine_only) {
 
 }  // namespace
 
+bool IsUdpMulticast(const std::string& url) { return url.compare(0, kUdp.size(), kUdp) == 0; }
+
 Reach ReachOf(const std::string& url) {
-  if (IsUdp(url)) return SmallestTtl(url) > 0 ? Reach::kNetwork : Reach::kThisMachine;
+  if (IsUdpMulticast(url)) return SmallestTtl(url) > 0 ? Reach::kNetwork : Reach::kThisMachine;
   return url.compare(0, 7, "tcpq://") == 0 ? Reach::kRelay : Reach::kFile;
 }
 
@@ -126,7 +126,7 @@ std::string ReachInWords(const std::string& url) {
 HostFilter::HostFilter() : before_(OpenFiles()) {}
 
 bool HostFilter::Attach(const std::string& url) const {
-  if (!IsUdp(url)) return true;
+  if (!IsUdpMulticast(url)) return true;
   const std::uint32_t group = GroupOf(url);
   const bool local = ReachOf(url) == Reach::kThisMachine;
   int filtered = 0;

@@ -13,6 +13,9 @@ enum class Reach {
   kFile,         ///< file and the like: no network at all
 };
 
+/// Whether the bus at `url` is UDP multicast (udpm).
+bool IsUdpMulticast(const std::string& url);
+
 /// As the URL says; udpm without a ttl is LCM's 0, and of two the smaller counts.
 Reach ReachOf(const std::string& url);
 
