@@ -35,8 +35,7 @@ void AddSceneOptions(CLI::App* app, tools::CollectOptions* options) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app->add_option("--scene-file", options->scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml")
-      ->check(CLI::ExistingFile);
+                  "Stacking: a file like config/scenes/stacking.yaml");
 }
 
 void AddVideoOptions(CLI::App* app, tools::GestureVideoOptions* options) {

@@ -23,7 +23,7 @@ std::int64_t ReadInstanceFile(const std::string& path);
 class HealthBeacon {
  public:
   /// Starts in STATE_STARTING with a random instance id. @param service "simulator", "model",
-  /// "worker", "executive" @throws ExitError (kExitDisk) when the instance file cannot be written
+  /// "worker", "executive" @throws base::DiskError when the instance file cannot be written
   HealthBeacon(Bus& bus, std::string service);
 
   /// Random per start; other messages of this process carry it too (server_id, executive_id, ...).

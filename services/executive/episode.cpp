@@ -479,9 +479,6 @@ planner::NextStep Episode::Decide(SearchRecord* record) {
 
 // Why nothing may be done, whatever the search says. Empty: no reason.
 std::string Episode::Objection(const planner::NextStep& next) {
-  if (next.action >= 0 && !record_.not_covered.empty() && options_.refusal_threshold < 0)
-    return record_.not_covered +
-           " --refusal-threshold X attempts plans that score X or more all the same";
   if (record_.searches.empty() && options_.novelty > 0) {
     Recognition answer = familiarity_.Ask(session_.root(), record_.first, options_.novelty);
     record_.familiarity = std::move(answer.familiarity);
@@ -491,6 +488,9 @@ std::string Episode::Objection(const planner::NextStep& next) {
       return "nobody could say whether the picture is like those the networks were trained on (" +
              answer.defect + "); --novelty 0 does without";
   }
+  if (next.action >= 0 && !record_.not_covered.empty() && options_.refusal_threshold < 0)
+    return record_.not_covered +
+           " --refusal-threshold X attempts plans that score X or more all the same";
   if (next.action < 0 || !HeedsSurprises()) return "";
   const std::string gap = course_.Gap(latest_.width, latest_.height);
   return gap.empty()

@@ -61,6 +61,7 @@ expect 13 'disk/scene.png' prospect-view --seed 1 --out "$disk/scene.png"
 pictures=yes
 prospect-view --seed 1 --video some.mp4 2>&1 | grep -q 'no video' && pictures=
 room
+head -c 57000 /dev/zero >"$disk/fill"
 [ -z "$pictures" ] ||
   expect 13 'disk/scene.mp4.*disk full' prospect-view --seed 1 --actions 0,1 --size 640x480 --video "$disk/scene.mp4"
 

@@ -19,8 +19,7 @@ inline void AddSceneOptions(CLI::App* app, sim::TaskOptions* world) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app->add_option("--scene-file", world->scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml")
-      ->check(CLI::ExistingFile);
+                  "Stacking: a file like config/scenes/stacking.yaml");
 }
 
 }  // namespace prospect::tools

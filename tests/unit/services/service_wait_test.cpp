@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "base/disk_error.h"
 #include "services/common/health.h"
 #include "services/common/ids.h"
 #include "tests/unit/services/poll_until.h"
@@ -143,7 +144,7 @@ TEST_F(InstanceFile, AFaultIsNoHealth) {
 
 TEST_F(InstanceFile, MustBeWritable) {
   SetInstanceFile("/no/such/folder/instance");
-  EXPECT_EQ(CodeOf([&] { HealthBeacon(bus_, "worker"); }), kExitDisk);
+  EXPECT_THROW(HealthBeacon(bus_, "worker"), base::DiskError);
 }
 
 }  // namespace

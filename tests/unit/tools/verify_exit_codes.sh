@@ -14,7 +14,7 @@ expect() {
   quick: {trials: 2}
   full: {trials: 3}
   figures:
-    - {name: trials, pointer: $3, readme: "", quick: 2, full: $4, tolerance: 0.1}
+    - {name: trials, pointer: $3, printed: "", quick: 2, full: $4, tolerance: 0.1}
 YAML
   local code=0
   "$verify" --figures "$work/figures.yaml" --weights none --held-out none --work "$work/w" --json "$work/out.json" "${@:5}" >"$work/log" 2>&1 || code=$?
