@@ -23,12 +23,13 @@ record_bus() {
   done
   [ ${#pass[@]} -gt 0 ] || die 2 "record needs a file: ./prospect record [--bus URL] FILE"
   said=$(mktemp) || die 13 "no room for a temporary file in ${TMPDIR:-/tmp}"
-  lcm-logger --lcm-url="$url" "${pass[@]}" 2>"$said" &
+  # timeout hands TERM on, and KILL 5 s later if it has not helped.
+  timeout -k 5 infinity lcm-logger --lcm-url="$url" "${pass[@]}" 2>"$said" &
   local logger=$!
   # Not INT: what a shell starts in the background ignores that one until it has its own handler.
   trap 'kill -TERM $logger 2>/dev/null' INT TERM
   # A signal ends the first wait; the second one waits for the file to be closed.
-  wait "$logger" || wait "$logger" || code=$?
+  wait "$logger" 2>/dev/null || wait "$logger" 2>/dev/null || code=$?
   local words
   words=$(cat "$said")
   rm -f "$said"

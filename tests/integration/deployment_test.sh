@@ -174,6 +174,8 @@ mkdir deaf
 printf '#!/bin/bash\ntrap "" INT TERM\nexec sleep 1000\n' >deaf/lcm-logger
 chmod +x deaf/lcm-logger
 PATH=$folder/deaf:$PATH says 4 '^Files in deafened' timeout 50 "$prospect" demo "${alone[@]}" --policy plan:77 --out deafened
+# ... nor a recording that is to end: it is not told so by 137, after 20 s.
+PATH=$folder/deaf:$PATH says 13 'the recording has ended' timeout --preserve-status -k 20 1 "$prospect" record deaf.lcmlog
 
 # --- Services that another has up are joined by what they say, and only for their own task.
 elsewhere=$XDG_RUNTIME_DIR/prospect/elsewhere
