@@ -15,6 +15,7 @@
 #include "prospect/health_t.hpp"
 #include "prospect/observation_t.hpp"
 #include "prospect/task_t.hpp"
+#include "services/common/host_filter.h"
 
 using namespace prospect;
 
@@ -35,10 +36,12 @@ std::int64_t Utime() { return Microseconds<std::chrono::system_clock>(); }
 
 class Robot {
  public:
-  Robot(const std::string& bus, const std::string& key_file) : lcm_(bus) {
+  // LCM opens its socket at the first subscription; the filter keeps out what would end it.
+  Robot(const std::string& bus, const std::string& key_file) : filter_(bus), lcm_(bus) {
     if (!key_file.empty()) key_.emplace(key_file);
     lcm_.subscribe("ACTION_COMMAND", &Robot::Hear<action_command_t>, this);
     lcm_.subscribe("HEALTH", &Robot::Hear<health_t>, this);
+    if (!filter_.InForce()) throw std::runtime_error("the bus cannot be opened: " + bus);
     status_.episode_id = id_ / 1'000'000;  // any number that names this episode
     status_.action = -1;
     status_.state = action_status_t::STATE_IDLE;
@@ -169,6 +172,7 @@ class Robot {
     lcm_.publish(channel, bytes.data(), static_cast<unsigned>(bytes.size()));
   }
 
+  prospect::services::HostFilter filter_;
   lcm::LCM lcm_;
   std::optional<Keyed> key_;  // none: an open bus, where whoever can send moves this robot
   const std::int64_t id_ = Utime(), start_ = Now();
@@ -180,7 +184,8 @@ class Robot {
 
 int main(int argc, char** argv) {
   const char* const key = std::getenv("PROSPECT_KEY_FILE");
-  std::string bus, key_file = key ? key : "";  // no bus: LCM_DEFAULT_URL, then LCM's default
+  const char* const url = std::getenv("LCM_DEFAULT_URL");
+  std::string bus = url ? url : "udpm://239.255.76.67:7667?ttl=0", key_file = key ? key : "";
   for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
     if ((option != "--bus" && option != "--key") || i + 1 == argc) {

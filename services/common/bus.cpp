@@ -109,9 +109,9 @@ struct Bus::Connection {
   // that does not answer leaves LCM without a socket.
   bool Opened(const std::string& url) {
     const HushedStderr hushed;
-    const HostFilter filter;
+    const HostFilter filter(url);
     lcm = lcm_create(url.c_str());
-    if (lcm && Subscribe("PROSPECT_SELF_TEST", 1) && HasSocket() && filter.Attach(url)) return true;
+    if (lcm && Subscribe("PROSPECT_SELF_TEST", 1) && HasSocket() && filter.InForce()) return true;
     if (lcm) lcm_destroy(std::exchange(lcm, nullptr));
     return false;
   }

@@ -1,6 +1,10 @@
 #include "services/common/bus.h"
 
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
@@ -216,6 +220,71 @@ TEST(Bus, PortsDoNotHearEachOther) {
   ASSERT_TRUE(PollUntil({&bus, &other}, [&] { return here == 1; }));
   other.Poll(50);
   EXPECT_EQ(there, 0);
+}
+
+void Append(std::uint64_t number, int bytes, std::vector<std::uint8_t>* to) {
+  for (int i = bytes - 1; i >= 0; --i) to->push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+}
+
+// A part of a message by LCM's format, whatever its numbers say.
+std::vector<std::uint8_t> Part(std::uint32_t size, std::uint32_t offset, std::uint16_t number,
+                               std::uint16_t parts, const std::string& rest) {
+  std::vector<std::uint8_t> bytes{'L', 'C', '0', '3'};
+  Append(1, 4, &bytes);
+  Append(size, 4, &bytes);
+  Append(offset, 4, &bytes);
+  Append(number, 2, &bytes);
+  Append(parts, 2, &bytes);
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
+  return bytes;
+}
+
+std::vector<std::uint8_t> Whole(const std::string& rest) {
+  std::vector<std::uint8_t> bytes{'L', 'C', '0', '2', 0, 0, 0, 1};
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
+  return bytes;
+}
+
+void SendToDefaultGroup(const std::vector<std::uint8_t>& datagram) {
+  const int file = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in group{};
+  group.sin_family = AF_INET;
+  group.sin_port = htons(7667);
+  inet_pton(AF_INET, "239.255.76.67", &group.sin_addr);
+  const unsigned char ttl = 0;
+  setsockopt(file, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
+  sendto(file, datagram.data(), datagram.size(), 0, reinterpret_cast<sockaddr*>(&group),
+         sizeof group);
+  close(file);
+}
+
+// LCM 1.3.1 itself ends by each of these, before anything of ours looks at them.
+TEST(Bus, DatagramsThatWouldEndLcmAreKeptOut) {
+  const std::string channel = std::string("SEARCH_STOP") + '\0';
+  const std::vector<std::vector<std::uint8_t>> harmful = {
+      {},
+      {'L', 'C', '0'},
+      Whole(""),
+      Whole("SEARCH_STOP"),  // no end of the channel's name
+      Whole(std::string(200, 'X')),
+      Part(100000, 0xffffff00, 0, 3, channel + std::string(512, 'x')),
+      Part(100000, 1, 0, 3, channel + std::string(512, 'x')),
+      Part(100000, 0xfffffff0, 1, 3, std::string(512, 'x')),
+      Part(0xffffffff, 0, 0, 3, channel + std::string(512, 'x')),
+      Part(1000, 0, 0, 3, "SEARCH_STOP"),
+      Part(1000, 0, 7, 3, std::string(512, 'x')),
+      {'L', 'C', '0', '3', 0, 0, 0, 1, 0, 0, 0, 9},
+  };
+  Bus bus;
+  std::vector<std::int64_t> heard;
+  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  for (int round = 1; round <= 20; ++round) {
+    for (const auto& datagram : harmful) SendToDefaultGroup(datagram);
+    bus.Publish(Stop(round, std::string(100000, 'x')));  // in two parts: those that are right
+    ASSERT_TRUE(PollUntil({&bus}, [&] { return !heard.empty() && heard.back() == round; }));
+  }
+  EXPECT_EQ(heard.size(), 20u);
+  EXPECT_EQ(bus.refused(), 0) << "kept out by the kernel, before LCM";
 }
 
 // Of one deployment: they hear each other, themselves, and nobody else.
