@@ -62,7 +62,11 @@ void AtomicFile::OpenBeside(Rivals rivals) {
     temporary_ = OtherName(to_.path, number);
     file_ =
         ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-    if (file_ < 0 && errno != ELOOP) FailToWrite(path_, errno);
+    // A name that somebody else has taken, with a folder, a link or a file of theirs, is passed
+    // over.
+    const int fault = file_ < 0 ? errno : 0;
+    struct stat taken {};
+    if (fault != 0 && ::lstat(temporary_.c_str(), &taken) != 0) FailToWrite(path_, fault);
     const bool locked = file_ >= 0 && TryLock(file_);
     if (locked && IsStillOurs(file_, temporary_)) {
       if (::ftruncate(file_, 0) != 0) FailToWrite(path_, errno);

@@ -28,6 +28,18 @@ std::string RealPath(const std::string& path) {
   return real ? real.get() : "";
 }
 
+// In a folder that anybody may write to, a link of somebody else's leads where they want us to
+// write: as the kernel's fs.protected_symlinks has it, only our own and the folder's owner's count.
+void RequireTrusted(const std::string& link, const struct stat& info) {
+  struct stat folder {};
+  if (::stat(FolderOf(link).c_str(), &folder) != 0) FailToWrite(link, errno);
+  const bool anybodys = (folder.st_mode & S_ISVTX) != 0 && (folder.st_mode & S_IWOTH) != 0;
+  if (anybodys && info.st_uid != ::geteuid() && info.st_uid != folder.st_uid)
+    throw DiskError(link +
+                    ": cannot be written (a link of another user in a folder that anybody "
+                    "may write to)");
+}
+
 // Where a link leads; its text, if it is a relative one, counts from the link's own folder.
 std::string TargetOf(const std::string& link) {
   char text[4096];
@@ -64,6 +76,7 @@ Destination DestinationOf(const std::string& path) {
     if (S_ISREG(info.st_mode)) return {Kind::kPlain, at, -1};
     if (S_ISDIR(info.st_mode)) FailToWrite(path, EISDIR);
     if (!S_ISLNK(info.st_mode)) return {Kind::kStream, at, -1};
+    RequireTrusted(at, info);
     at = TargetOf(at);
   }
   FailToWrite(path, ELOOP);

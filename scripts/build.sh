@@ -12,7 +12,7 @@ build() {
   mkdir -p "$ROOT/build" || die 13 "cannot write to $ROOT/build"
   # One at a time in a folder: two would write the same files.
   {
-    flock -n 9 || { say "Waiting for another build of $ROOT/build/$preset"; flock 9; }
+    flock -n 9 || { say "Waiting for another build of $ROOT/build/$preset"; until flock -w 20 9; do say "still waiting; it is at: $(tail -n 1 "$log" 2>/dev/null | cut -c1-60)"; done; }
     configure "$preset" "$log" 9>&- && run_ninja "$preset" "$log" "$@" 9>&-
   } 9>"$ROOT/build/$preset.lock"
 }

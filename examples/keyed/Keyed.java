@@ -1,3 +1,6 @@
+import static java.nio.file.attribute.PosixFilePermission.OWNER_READ;
+import static java.nio.file.attribute.PosixFilePermission.OWNER_WRITE;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -10,6 +13,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeSet;
 import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
@@ -41,6 +45,8 @@ public class Keyed {
   private long sequence = 0;
 
   public Keyed(Path keyFile) throws IOException, GeneralSecurityException {
+    if (!Set.of(OWNER_READ, OWNER_WRITE).containsAll(Files.getPosixFilePermissions(keyFile)))
+      throw new IOException(keyFile + " is open to other users: chmod 600");
     byte[] key = HexFormat.of().parseHex(Files.readString(keyFile).trim());
     mac.init(new SecretKeySpec(key, "HmacSHA256"));
   }

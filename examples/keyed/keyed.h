@@ -3,6 +3,7 @@
 #include <openssl/crypto.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
+#include <sys/stat.h>
 
 #include <cstdint>
 #include <fstream>
@@ -22,6 +23,9 @@ class Keyed {
   /// @param key_file 64 hexadecimal digits, as ./prospect up made it. @throws std::runtime_error
   explicit Keyed(const std::string& key_file) {
     std::string digits;
+    struct stat status {};
+    if (stat(key_file.c_str(), &status) == 0 && (status.st_mode & 077) != 0)
+      throw std::runtime_error(key_file + " is open to other users: chmod 600");
     std::ifstream(key_file) >> digits;
     if (digits.size() != 64) throw std::runtime_error(key_file + " is no key");
     for (int i = 0; i < 64; i += 2)

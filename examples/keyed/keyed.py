@@ -16,6 +16,8 @@ import sys
 
 def read_key(path):
     with open(path) as file:
+        if os.fstat(file.fileno()).st_mode & 0o077:
+            raise PermissionError(f"{path} is open to other users: chmod 600")
         return bytes.fromhex(file.read().strip())
 
 

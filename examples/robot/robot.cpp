@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -71,7 +72,9 @@ class Robot {
 
   // A command is carried out once, however often it arrives: the ids of an executive grow.
   void On(const action_command_t* c) {
-    if (c->executive_id == status_.executive_id && c->command_id <= status_.command_id) return;
+    std::int64_t& latest = taken_[c->executive_id];
+    if (c->command_id <= latest) return;
+    latest = c->command_id;
     const bool start = c->kind == action_command_t::KIND_START;
     std::string refusal;
     if (start && (c->action < 0 || c->action >= kHere)) refusal = "there is no such thing here";
@@ -177,6 +180,7 @@ class Robot {
   std::optional<Keyed> key_;  // none: an open bus, where whoever can send moves this robot
   const std::int64_t id_ = Utime(), start_ = Now();
   action_status_t status_{};
+  std::map<std::int64_t, std::int64_t> taken_;  // latest command of each executive, refused or not
   std::int64_t began_ = 0, heard_ = 0;
   int ticks_ = 0;
   double x_ = 32, y_ = 32;

@@ -3,8 +3,9 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <memory>
 #include <optional>
 
 #include "services/common/run_main.h"
@@ -35,16 +36,19 @@ bool Parse(const std::string& digits, BusKey* key) {
 }  // namespace
 
 BusKey ReadBusKey(const std::string& path) {
-  std::ifstream file(path);
+  // What is looked at is the file that is read, whatever the path may name by then.
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "re"),
+                                                             &std::fclose);
   struct stat status {};
-  if (!file || stat(path.c_str(), &status) != 0) {
+  if (!file || fstat(fileno(file.get()), &status) != 0) {
     throw ExitError(kExitUsage, "the key " + path + " cannot be read: " + std::strerror(errno));
   }
   if (status.st_mode & (S_IRWXG | S_IRWXO)) {
     throw ExitError(kExitUsage, "the key " + path + " is open to other users: chmod 600 " + path);
   }
-  std::string digits;
-  file >> digits;
+  char line[2 * sizeof(BusKey) + 3] = {};
+  std::string digits = std::fgets(line, sizeof line, file.get()) ? line : "";
+  if (!digits.empty() && digits.back() == '\n') digits.pop_back();
   BusKey key;
   if (!Parse(digits, &key)) {
     throw ExitError(kExitUsage, path + " is no key: it must hold 64 hexadecimal digits");

@@ -113,10 +113,14 @@ void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
   };
   const int silent_ms = std::min(kSilentMs, options.services_timeout_ms);
   if (talk.Until(complete, silent_ms)) return;
-  std::fprintf(stderr, "waiting for%s\n", Missing(talk, options).c_str());
+  std::string missing = Missing(talk, options);
+  while (!missing.empty() && missing.back() == ';') missing.pop_back();
+  std::fprintf(stderr, "waiting for%s; at most %d s\n", missing.c_str(),
+               (options.services_timeout_ms - silent_ms) / 1000);
   if (talk.Until(complete, options.services_timeout_ms - silent_ms)) return;
-  throw ExitError(kExitServiceLost, "still missing on " + talk.bus().url() + ":" +
-                                        Missing(talk, options) + " start them with ./prospect up");
+  throw ExitError(kExitServiceLost,
+                  "still missing on " + talk.bus().url() + ":" + Missing(talk, options) +
+                      " start them with ./prospect up, a robot with --key \"$(./prospect key)\"");
 }
 
 void RequireWorld(Conversation& talk, const ExecutiveOptions& options) {

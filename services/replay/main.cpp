@@ -11,6 +11,7 @@
 #include "services/binding/search_table.h"
 #include "services/common/common_options.h"
 #include "services/common/run_main.h"
+#include "services/from_log/event_log.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
 #include "services/replay/log_player.h"
@@ -83,6 +84,7 @@ int ReplayWorker(const Options& options) {
 int Play(const CommonOptions& common, PlayOptions options) {
   ApplyCommonOptions(common, "replay");
   if (!common.bus.empty()) options.bus = common.bus;
+  EventLog{options.log};  // a file that is none is named before anything else is said
   std::fprintf(stderr, "Playing on another bus: ./prospect spy --bus '%s'\n", options.bus.c_str());
   const PlayResult result = PlayLog(options);
   std::printf("%" PRId64 " messages played", result.played);

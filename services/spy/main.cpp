@@ -136,7 +136,7 @@ int Status(const StatusOptions& options) {
     Listen(bus, options.seconds);
     rows = StatusRows(monitor.Alive(), ReadServices(options.services_file), SteadyMs());
     if (options.watch) std::cout << "\033[H\033[2J";  // the table takes the screen's place
-    PrintReach(bus, std::cout);
+    if (!rows.empty() || bus.refused() > 0) PrintReach(bus, std::cout);
     PrintStatus(rows, std::cout);
     std::cout.flush();
   } while (options.watch && !StopRequested());

@@ -98,6 +98,10 @@ std::vector<StatusRow> StatusRows(const std::vector<HealthMonitor::Peer>& peers,
 }
 
 void PrintStatus(const std::vector<StatusRow>& rows, std::ostream& out) {
+  if (rows.empty()) {
+    out << "Nothing is on this bus: ./prospect up starts a deployment.\n";
+    return;
+  }
   char line[400];
   std::snprintf(line, sizeof line, "%-12s %-12s %7s  %-9s %6s %6s %8s %8s %9s %8s %8s  %s\n",
                 "Service", "Host", "Pid", "State", "Age s", "Queue", "CPU s", "MB", "Received",
@@ -115,7 +119,6 @@ void PrintStatus(const std::vector<StatusRow>& rows, std::ostream& out) {
                   static_cast<long long>(row.refused), restarts, row.note.c_str());
     out << line;
   }
-  if (rows.empty()) out << "Nothing is on this bus.\n";
 }
 
 json StatusJson(const std::vector<StatusRow>& rows) {

@@ -103,7 +103,7 @@ int Stop(const Options& options) {
       }
     }
   }
-  const bool left = state.exists() && state.Lock() && state.Clear();
+  const bool left = state.was_used() && state.Lock() && state.Clear();
   const char* crashed = left ? "; what a deployment that had crashed left there is removed" : "";
   if (supervisor.there()) {
     std::fprintf(stderr, "Down.\n");

@@ -131,13 +131,25 @@ Descriptor Watch(int process) {
 
 StateFolder TakeState(const std::string& path) {
   StateFolder state(path, StateFolder::IfAbsent::kMake);
+  const bool used = state.was_used();
   if (!state.Lock()) {
     throw ExitError(kExitBusInUse, "a deployment of yours is already up on this bus (pid " +
                                        std::to_string(state.Holder()) +
                                        "): ./prospect down, or another port with --bus");
   }
-  if (state.Clear()) spdlog::warn("an earlier deployment crashed; what it left is removed");
+  if (used && state.Clear()) spdlog::warn("an earlier deployment crashed; what it left is removed");
   return state;
+}
+
+// What lies in the state folder goes with the deployment.
+void RequireKeyElsewhere(const Options& options) {
+  const std::string& key = options.common.key;
+  if (key.empty()) return;
+  std::error_code none;
+  const auto folder = std::filesystem::absolute(key).parent_path();
+  if (std::filesystem::equivalent(folder, options.state, none))
+    throw ExitError(kExitUsage, "--key " + key + " lies in the state folder, which is cleared: " +
+                                    "keep it elsewhere");
 }
 
 // The processes started from here find both in their environment.
@@ -167,6 +179,7 @@ void TellWhoIsObeyed(const Options& options) {
 
 int Supervise(Options options, Descriptor* ready) {
   const Descriptor companion = Watch(options.lives_with);
+  RequireKeyElsewhere(options);
   StateFolder state = TakeState(options.state);
   const std::string logs = options.logs.empty() ? state.path() + "/logs" : options.logs;
   SetIdentity(&options, state);

@@ -18,6 +18,8 @@ namespace prospect::services {
 namespace {
 
 constexpr mode_t kOthersMayWrite = S_IWGRP | S_IWOTH;
+// No name that other programs lock in folders of theirs: who holds it is signalled.
+constexpr char kLockName[] = "prospect-supervisor.lock";
 constexpr const char* kLeftBehind[] = {"services.json", "key"};
 
 [[noreturn]] void Distrust(const std::string& path, const std::string& reason) {
@@ -66,13 +68,14 @@ void RequireSafeParent(const Descriptor& folder, const std::string& path) {
   if ((found.st_mode & kOthersMayWrite) != 0 && !sticky) Distrust(path, "others may write to it");
 }
 
-void RequireOwn(const Descriptor& folder, const std::string& path) {
+void RequireOwn(const Descriptor& folder, const std::string& path, StateFolder::IfAbsent how) {
   const struct stat found = StatOf(folder, path);
   if (found.st_uid != geteuid()) {
     Distrust(path, "it belongs to user " + std::to_string(found.st_uid));
   }
   if ((found.st_mode & kOthersMayWrite) != 0) Distrust(path, "others may write to it");
-  fchmod(folder.get(), S_IRWXU);  // nor need they read the key
+  // Nor need they read the key; but who only asks changes nothing.
+  if (how == StateFolder::IfAbsent::kMake) fchmod(folder.get(), S_IRWXU);
 }
 
 void Make(const std::string& path) {
@@ -124,7 +127,7 @@ std::string MakePrivateFolder() {
   const std::string base = RuntimeFolder();
   // Trusted before anything is made in it.
   Make(base);
-  RequireOwn(OpenFolder(base), base);
+  RequireOwn(OpenFolder(base), base, StateFolder::IfAbsent::kMake);
   std::string path = base + "/private-XXXXXX";
   if (mkdtemp(path.data()) == nullptr) {
     throw ExitError(kExitDisk, "cannot make a folder in " + base + ": " + std::strerror(errno));
@@ -140,7 +143,7 @@ StateFolder::StateFolder(const std::string& path, IfAbsent if_absent) : path_(Ab
   RequireSafeParent(parent, above);
   if (if_absent == IfAbsent::kMake) Make(path_);
   folder_ = OpenFolder(path_);
-  if (folder_) RequireOwn(folder_, path_);
+  if (folder_) RequireOwn(folder_, path_, if_absent);
 }
 
 StateFolder::~StateFolder() {
@@ -149,22 +152,28 @@ StateFolder::~StateFolder() {
 
 bool StateFolder::Lock() {
   constexpr int kHow = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC;
-  Descriptor file(openat(folder_.get(), "lock", kHow, S_IRUSR | S_IWUSR));
-  if (!file) throw ExitError(kExitDisk, path_ + "/lock: " + std::strerror(errno));
+  Descriptor file(openat(folder_.get(), kLockName, kHow, S_IRUSR | S_IWUSR));
+  if (!file) throw ExitError(kExitDisk, path_ + "/" + kLockName + ": " + std::strerror(errno));
   struct flock lock = WholeFile();
   if (fcntl(file.get(), F_SETLK, &lock) != 0) {
     if (errno == EACCES || errno == EAGAIN) return false;
-    throw ExitError(kExitDisk, path_ + "/lock cannot be locked: " + std::strerror(errno));
+    throw ExitError(kExitDisk,
+                    path_ + "/" + kLockName + " cannot be locked: " + std::strerror(errno));
   }
   lock_ = std::move(file);
   return true;
+}
+
+bool StateFolder::was_used() const {
+  struct stat found {};
+  return folder_ && fstatat(folder_.get(), kLockName, &found, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
 int StateFolder::Holder() const {
   // Closing any descriptor of the file would give the lock up.
   if (lock_) return getpid();
   if (!folder_) return kNobody;
-  const Descriptor file(openat(folder_.get(), "lock", O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  const Descriptor file(openat(folder_.get(), kLockName, O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
   struct flock lock = WholeFile();
   if (!file || fcntl(file.get(), F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return kNobody;
   return lock.l_pid > 0 ? lock.l_pid : kUnseen;
@@ -191,7 +200,7 @@ bool StateFolder::Clear() const {
 
 void StateFolder::Remove() {
   Clear();
-  unlinkat(folder_.get(), "lock", 0);
+  unlinkat(folder_.get(), kLockName, 0);
   rmdir(path_.c_str());
 }
 

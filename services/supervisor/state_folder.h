@@ -39,6 +39,9 @@ class StateFolder {
   const std::string& path() const { return path_; }
   bool exists() const { return static_cast<bool>(folder_); }
 
+  /// Whether a supervisor has ever locked it: what lies in another folder is not ours to remove.
+  bool was_used() const;
+
   /// Takes the lock until this object goes. @return false when another process holds it
   /// @throws ExitError (kExitDisk) when there can be no lock
   bool Lock();

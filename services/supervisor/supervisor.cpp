@@ -24,11 +24,22 @@ using nlohmann::json;
 bool IsWorker(const ServiceSpec& spec) { return spec.name.rfind("worker-", 0) == 0; }
 
 // Logs of workers that an earlier, larger deployment had would tell of this one.
+// Whether a file of this name is the log of a worker, "worker-3.log" or "worker-3.1.log": the
+// folder may hold other people's.
+bool IsWorkerLog(const std::string& name) {
+  constexpr char kBegin[] = "worker-";
+  if (name.rfind(kBegin, 0) != 0) return false;
+  const std::size_t end = name.find_first_not_of("0123456789", sizeof kBegin - 1);
+  if (end == std::string::npos || end == sizeof kBegin - 1) return false;
+  return name.substr(end) == ".log" || name.substr(end) == ".1.log";
+}
+
 void RemoveOldLogs(const std::string& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("worker-", 0) == 0 && entry.path().extension() == ".log") {
+    if (IsWorkerLog(name) &&
+        entry.symlink_status(ignored).type() == std::filesystem::file_type::regular) {
       std::filesystem::remove(entry.path(), ignored);
     }
   }
@@ -198,15 +209,15 @@ void Supervisor::WriteState() const {
   json services = json::array();
   for (const Service& service : services_) services.push_back(Describe(service));
   base::WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
-                                            {"bus", deployment_.bus},
-                                            {"task", deployment_.task},
-                                            {"weights", deployment_.weights},
-                                            {"world", WorldOf(deployment_)},
-                                            {"key", deployment_.key},
-                                            {"workers", CountWorkers()},
-                                            {"supervisor_pid", getpid()},
-                                            {"logs", logs_},
-                                            {"services", services}});
+                                                  {"bus", deployment_.bus},
+                                                  {"task", deployment_.task},
+                                                  {"weights", deployment_.weights},
+                                                  {"world", WorldOf(deployment_)},
+                                                  {"key", deployment_.key},
+                                                  {"workers", CountWorkers()},
+                                                  {"supervisor_pid", getpid()},
+                                                  {"logs", logs_},
+                                                  {"services", services}});
 }
 
 }  // namespace prospect::services

@@ -67,6 +67,29 @@ TEST_F(AtomicFileTest, FollowsALinkToItsTarget) {
   EXPECT_EQ(Read(Path("elsewhere/not-yet")), "made");
 }
 
+// As in /tmp: another user's link would lead this one's writing anywhere.
+TEST_F(AtomicFileTest, AnothersLinkInAFolderOfEverybodysIsNotFollowed) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can make another user's link";
+  const fs::path everybodys = folder_ / "everybodys";
+  fs::create_directory(everybodys);
+  ASSERT_EQ(chmod(everybodys.c_str(), 01777), 0);
+  WriteFile(Path("victim"), "precious");
+  for (const char* name : {"theirs", "ours"}) fs::create_symlink(Path("victim"), everybodys / name);
+  ASSERT_EQ(lchown((everybodys / "theirs").c_str(), 65534, 65534), 0);
+  EXPECT_THROW(WriteFile((everybodys / "theirs").string(), "x"), DiskError);
+  EXPECT_EQ(Read(Path("victim")), "precious");
+  WriteFile((everybodys / "ours").string(), "new");
+  EXPECT_EQ(Read(Path("victim")), "new");
+}
+
+// Whatever others have put under the names it would use, it finds one.
+TEST_F(AtomicFileTest, AFolderUnderItsOtherNameDoesNotStopIt) {
+  const std::string other = [&] { return AtomicFile(Path("a")).temporary(); }();
+  fs::create_directory(other);
+  WriteFile(Path("a"), "text");
+  EXPECT_EQ(Read(Path("a")), "text");
+}
+
 TEST_F(AtomicFileTest, LinksInACircleAreAnError) {
   fs::create_symlink("b", folder_ / "a");
   fs::create_symlink("a", folder_ / "b");

@@ -103,7 +103,7 @@ TEST_F(StateFolders, ThatNobodyMadeAreNotMadeByAsking) {
 TEST_F(StateFolders, OfOurOwnThatOthersCouldReadAreShut) {
   fs::create_directories(root + "/prospect/bus");
   chmod((root + "/prospect/bus").c_str(), 0755);
-  StateFolder(root + "/prospect/bus", IfAbsent::kAccept);
+  StateFolder(root + "/prospect/bus", IfAbsent::kMake);
   EXPECT_EQ(ModeOf(root + "/prospect/bus"), 0700u);
 }
 
@@ -142,10 +142,23 @@ TEST_F(StateFolders, OfOtherUsersAreRefused) {
   ExpectRefused(root + "/prospect/bus", "belongs to user 4711");
 }
 
+// Who only asks changes nothing, and a folder where no supervisor was holds nothing of ours.
+TEST_F(StateFolders, AnothersFolderIsLeftAsItIs) {
+  const std::string theirs = root + "/theirs.d";
+  fs::create_directory(theirs);
+  fs::permissions(theirs, fs::perms(0755));
+  const StateFolder asked(theirs, IfAbsent::kAccept);
+  EXPECT_FALSE(asked.was_used());
+  EXPECT_EQ(fs::status(theirs).permissions(), fs::perms(0755));
+  StateFolder taken(theirs, IfAbsent::kMake);
+  EXPECT_TRUE(taken.Lock());
+  EXPECT_TRUE(taken.was_used());
+}
+
 TEST_F(StateFolders, ALockThatIsALinkIsNotFollowed) {
   StateFolder state(root + "/prospect/bus", IfAbsent::kMake);
   std::ofstream(root + "/theirs") << "precious";
-  fs::create_symlink(root + "/theirs", state.path() + "/lock");
+  fs::create_symlink(root + "/theirs", state.path() + "/prospect-supervisor.lock");
   EXPECT_THROW(state.Lock(), ExitError);
   EXPECT_EQ(ReadText(root + "/theirs"), "precious");
 }
