@@ -35,7 +35,8 @@ void AddSceneOptions(CLI::App* app, tools::CollectOptions* options) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app->add_option("--scene-file", options->scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
+                  "Stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
 }
 
 void AddVideoOptions(CLI::App* app, tools::GestureVideoOptions* options) {

@@ -45,7 +45,8 @@ void AddOptions(CLI::App& app, SimulatorOptions& options) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app.add_option("--scene-file", options.scene.scene_file,
-                 "stacking: a file like config/scenes/stacking.yaml");
+                 "stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
   app.add_option("--image-noise", options.scene.image_noise, "sensor noise, share of full range")
       ->check(CLI::Range(0.0, 0.25))
       ->capture_default_str();

@@ -85,7 +85,7 @@ expect 2 "unknown policy 'best'; known: search" prospect-executive --policy best
 expect 2 'give action indices, as in plan:0,2,1' prospect-executive --policy plan:x
 expect 2 'wants a share from 0 to 1' prospect-worker --chaos drop=2
 expect 2 'say A,B' prospect-model-server --weights scripted --fixed-cost 1
-expect 2 'cannot be read as YAML' prospect-view --task stacking --scene-file "$absent" --out x.png
+expect 2 '--scene-file: File does not exist|cannot be read as YAML' prospect-view --task stacking --scene-file "$absent" --out x.png
 expect 2 'is not JSON' prospect-train --task navigation --data good.h5 --out out --config text
 expect 2 "stage 'best': known are" prospect-train --task navigation --data good.h5 --out out --stage best --iterations 1
 
@@ -174,7 +174,7 @@ done
 # --- What a simulator says once it has its bus.
 ip route add 224.0.0.0/4 dev lo
 expect 2 "unknown task 'juggling': the tasks are navigation" prospect-simulator --task juggling
-expect 2 'cannot be read as YAML' prospect-simulator --task stacking --scene-file "$absent"
+expect 2 '--scene-file: File does not exist|cannot be read as YAML' prospect-simulator --task stacking --scene-file "$absent"
 expect 2 'the scene file: must be a map' prospect-simulator --task stacking --scene-file text
 
 # --- A folder of results in use by another demo.

@@ -74,6 +74,9 @@ chmod 700 "$(dirname "$state")" "$state"
 for planted in "$old" "$state"; do echo "$stranger" >"$planted/supervisor.pid"; done
 echo "{\"supervisor_pid\": $stranger, \"deployment\": 5, \"services\": []}" >"$state/services.json"
 echo 1 >"$old/deployment"
+says 0 'nothing is up' "$prospect" down
+check [ -e "$state/services.json" ]  # no supervisor was ever there: it is not ours to remove
+touch "$state/prospect-supervisor.lock"
 says 15 'nothing is up' "$prospect" scale workers=1
 says 0 'nothing is up.*had crashed.*removed' "$prospect" down
 check lives "$stranger"

@@ -19,7 +19,8 @@ inline void AddSceneOptions(CLI::App* app, sim::TaskOptions* world) {
       ->check(CLI::Range(2, 4))
       ->capture_default_str();
   app->add_option("--scene-file", world->scene_file,
-                  "Stacking: a file like config/scenes/stacking.yaml");
+                  "Stacking: a file like config/scenes/stacking.yaml")
+      ->check(CLI::ExistingFile);
 }
 
 }  // namespace prospect::tools
