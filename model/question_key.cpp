@@ -18,7 +18,7 @@ QuestionKey KeyOf(const void* data, std::size_t bytes) {
     at += taken;
     left -= taken;
   }
-  return {Mix64(low), Mix64(high)};
+  return {base::Mix64(low), base::Mix64(high)};
 }
 
 }  // namespace prospect::model

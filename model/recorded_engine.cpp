@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/hash.h"
+
 namespace prospect::model {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr std::uint32_t kMostNumbers = 1 << 26;
 QuestionKey PictureKey(const EngineInfo& info, const std::uint8_t* rgb, const char* question) {
   if (rgb == nullptr) throw std::invalid_argument(std::string(question) + ": no picture");
   const auto pixels = static_cast<std::size_t>(info.image_width * info.image_height);
-  return Join(KeyOf(rgb, pixels * 3), HashText(question));
+  return Join(KeyOf(rgb, pixels * 3), base::HashText(question));
 }
 
 QuestionKey StateKey(const EngineInfo& info, const float* h) {
@@ -29,11 +31,11 @@ QuestionKey StateKey(const EngineInfo& info, const float* h) {
 QuestionKey ActionKey(const EngineInfo& info, const float* h0, const float* h, int action,
                       const char* question) {
   const QuestionKey states = Join(StateKey(info, h0), StateKey(info, h));
-  return Join(Join(states, static_cast<std::uint64_t>(action)), HashText(question));
+  return Join(Join(states, static_cast<std::uint64_t>(action)), base::HashText(question));
 }
 
 QuestionKey DecodeKey(const Hidden& state) {
-  return Join(KeyOf(state.data(), state.size() * sizeof(float)), HashText("Decode"));
+  return Join(KeyOf(state.data(), state.size() * sizeof(float)), base::HashText("Decode"));
 }
 
 // --- the file: plain numbers in this machine's byte order

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model {
 namespace {
@@ -28,7 +28,7 @@ std::uint64_t Unpack(const float* h) {
 
 /// Uniform in [0,1), a pure function of (state, question).
 float Draw(std::uint64_t state, std::uint64_t question) {
-  return static_cast<float>(Mix64(state ^ Mix64(question)) >> 40) * 0x1.0p-24F;
+  return static_cast<float>(base::Mix64(state ^ base::Mix64(question)) >> 40) * 0x1.0p-24F;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ ScriptedEngine::ScriptedEngine(const ScriptedOptions& options) : options_(option
 
 Hidden ScriptedEngine::Encode(const std::uint8_t* rgb) {
   if (rgb == nullptr) throw std::invalid_argument("Encode: no picture");
-  return Pack(Mix64(kRootState ^ options_.seed));
+  return Pack(base::Mix64(kRootState ^ options_.seed));
 }
 
 Prediction ScriptedEngine::Answer(std::uint64_t state, int action, float done) const {
@@ -72,7 +72,7 @@ std::vector<Prediction> ScriptedEngine::Expand(const std::vector<ExpandInput>& r
       throw std::invalid_argument("Expand: action out of range");
     }
     const std::uint64_t state =
-        Mix64(Unpack(row.h) * 31 + static_cast<std::uint64_t>(row.action) + 1);
+        base::Mix64(Unpack(row.h) * 31 + static_cast<std::uint64_t>(row.action) + 1);
     const bool fails = Draw(state, 2) < static_cast<float>(options_.failing_share);
     answers.push_back(Answer(state, row.action, fails ? 0.02F : 0.8F + 0.2F * Draw(state, 3)));
     answers.back().h = Pack(state);
@@ -100,11 +100,12 @@ std::vector<float> ScriptedEngine::Classify(const std::uint8_t*) {
 }
 
 std::uint64_t ScriptedEngine::weights_hash() const {
-  return HashText("scripted/" + options_.task + "/" + std::to_string(options_.num_actions) + "/" +
-                  std::to_string(options_.offered_actions) + "/" +
-                  std::to_string(options_.failing_share) + "/" + std::to_string(options_.seed));
+  return base::HashText("scripted/" + options_.task + "/" + std::to_string(options_.num_actions) +
+                        "/" + std::to_string(options_.offered_actions) + "/" +
+                        std::to_string(options_.failing_share) + "/" +
+                        std::to_string(options_.seed));
 }
 
-std::uint64_t ScriptedEngine::fingerprint() const { return Mix64(weights_hash()); }
+std::uint64_t ScriptedEngine::fingerprint() const { return base::Mix64(weights_hash()); }
 
 }  // namespace prospect::model

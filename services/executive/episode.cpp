@@ -7,8 +7,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/hash.h"
+#include "base/number_format.h"
 #include "model/surprise.h"
-#include "planner/apart.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"
 #include "services/executive/covered.h"
@@ -99,8 +100,8 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
     case planner::Rejection::kNone:
       break;
   }
-  return "less likely to succeed (score " + planner::Apart(future.score, chosen_score) +
-         " against " + planner::Apart(chosen_score, future.score) + ")";
+  return "less likely to succeed (score " + base::Apart(future.score, chosen_score) + " against " +
+         base::Apart(chosen_score, future.score) + ")";
 }
 
 Episode::Episode(Conversation& talk, const ExecutiveOptions& options, Tell tell)
@@ -174,7 +175,7 @@ void Episode::Prepare() {
   record_.first = PictureOf(first_);
   record_.frames_per_second = task.tick_seconds > 0 ? 1 / task.tick_seconds : 10;
   record_.engine = model_.engine;
-  record_.weights = model_.server_id ? HexText(model_.weights_hash) : "";
+  record_.weights = model_.server_id ? base::HexText(model_.weights_hash) : "";
   if (!talk_.view().label()) return;
   if (!options_.reset) record_.seed = talk_.view().label()->seed;
   const auto& present = talk_.view().label()->present;
@@ -426,7 +427,7 @@ SearchRecord Episode::SearchOnce(const planner::Attempt& attempt, planner::Plan*
   record.requested = answer.requested;
   record.workers = answer.workers;
   record.converged = answer.converged;
-  record.table = HexText(static_cast<std::int64_t>(answer.table));
+  record.table = base::HexText(answer.table);
   record.seconds = answer.seconds;
   record.search_id = session_.root().search_id;
   record.epoch = session_.root().epoch;

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "tools/figures/heat_panel.h"
 
 namespace prospect::figures {
@@ -91,7 +91,7 @@ std::vector<Chain> DrawnChains(const HeldOut& held_out, int count, std::uint64_t
   std::map<int, int> used;  // how often each first action was chosen
   std::set<std::pair<std::size_t, std::size_t>> taken;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
-  sim::Random random(seed);
+  base::Random random(seed);
   for (int turn = 0; turn < kMostTurns && static_cast<int>(chains.size()) < count; ++turn) {
     const std::size_t k = order[static_cast<std::size_t>(turn) % order.size()];
     SeenTrial trial = held_out.Read(k);
@@ -160,7 +160,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
 }
 
 std::vector<sim::Image> DrawnPictures(const HeldOut& held_out, int count, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   std::vector<sim::Image> pictures;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
   for (int i = 0; i < count; ++i) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "tools/figures/heat_panel.h"
 
 namespace prospect::figures {
@@ -12,7 +12,7 @@ constexpr int kColumns = 7, kTransforms = 200;
 constexpr int kColumn = kSide + 14, kLabel = 110, kScale = 64;
 
 model::Hidden DrawState(int size, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   model::Hidden state(static_cast<std::size_t>(size));
   for (float& value : state) value = static_cast<float>(random.Uniform());
   return state;
@@ -53,7 +53,7 @@ Page DrawRandomStates(const TaskTable& table, const LoadedModel& loaded, const s
   std::vector<ChannelMean> means;
   for (int i = 0; i < kColumns; ++i) {
     columns.push_back(
-        MakeColumn(table, loaded, scene, sim::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
+        MakeColumn(table, loaded, scene, base::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
     means.push_back(columns.back().mean_before);
     means.push_back(columns.back().mean_after);
   }

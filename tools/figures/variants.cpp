@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/text.h"
 #include "model/training/variants.h"
 #include "tools/figures/heat_panel.h"
 
@@ -116,12 +117,6 @@ int DrawExample(Sheet* sheet, int x, int y, const Chain& chain,
   return top + 2 * kRow + 12;
 }
 
-std::string Listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string Caption(const VariantSet& variants) {
   std::string caption =
       "Held-out examples, two rows each. x: what the camera saw when the first action began. "
@@ -129,7 +124,7 @@ std::string Caption(const VariantSet& variants) {
       "imagines from x, as it is decoded, in the light of the trial's first picture: above after "
       "the first action (x1), below after both (x2), and under it the mean absolute error against "
       "the truth, as a share of full range.";
-  if (!variants.absent.empty()) caption += " Not trained: " + Listed(variants.absent) + ".";
+  if (!variants.absent.empty()) caption += " Not trained: " + base::Joined(variants.absent) + ".";
   return caption;
 }
 

@@ -1,4 +1,4 @@
-#include "sim/sensor_noise.h"
+#include "base/sensor_noise.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace prospect::sim {
+#include "base/hash.h"
+
+namespace prospect::base {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -24,6 +26,11 @@ TEST(SensorNoise, IsAFunctionOfSeedFrameAndPixelAlone) {
   EXPECT_EQ(first, Noisy(12288, 7, 3, 0.01));
   EXPECT_NE(first, Noisy(12288, 8, 3, 0.01));
   EXPECT_NE(first, Noisy(12288, 7, 4, 0.01));
+}
+
+TEST(SensorNoise, IsFixed) {
+  const Bytes bytes = Noisy(3000, 7, 3, 0.01);
+  EXPECT_EQ(HashBytes(bytes.data(), bytes.size()), 0xfba3e3860325a512ULL);
 }
 
 TEST(SensorNoise, AShorterPictureSeesTheSameNoise) {
@@ -84,4 +91,4 @@ TEST(SensorNoise, KeepsItsBits) {
 }
 
 }  // namespace
-}  // namespace prospect::sim
+}  // namespace prospect::base

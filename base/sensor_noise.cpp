@@ -1,4 +1,4 @@
-#include "sim/sensor_noise.h"
+#include "base/sensor_noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/random.h"
+#include "base/random.h"
 
-namespace prospect::sim {
+namespace prospect::base {
 namespace {
 
 constexpr int kLevels = 1 << 16;
@@ -71,4 +71,4 @@ void AddSensorNoise(std::uint8_t* rgb, std::size_t n, std::uint64_t trial_seed, 
   }
 }
 
-}  // namespace prospect::sim
+}  // namespace prospect::base
