@@ -282,7 +282,7 @@ void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
   reply->data = engine_.Decode({state}).at(0);
   if (!options_.novelty) return;
   reply->reason = NoveltyText(options_.novelty->Judge(model::CompareRedrawn(
-      active.present_picture.data(), reply->data, info.image_width, info.image_height, state)));
+      active.present_picture, reply->data, info.image_width, info.image_height, state)));
 }
 
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
@@ -306,8 +306,7 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
       if (!request.want_image) reply.data.clear();
     } else if (request.want_image) {
       reply.data =
-          engine_.DecodeOnto(active->present_picture.data(), active->memory->State({}), {state})
-              .at(0);
+          engine_.DecodeOnto(active->present_picture, active->memory->State({}), {state}).at(0);
     }
     if (!reply.data.empty()) {
       reply.width = engine_.info().image_width;
