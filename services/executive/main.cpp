@@ -9,9 +9,9 @@
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "planner/selection_rule.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/executive/conversation.h"
 #include "services/executive/episode.h"
@@ -25,6 +25,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
