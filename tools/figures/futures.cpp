@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "report/heat_map.h"
+#include "report/number.h"
 #include "tools/evaluate/engine_model.h"
-#include "tools/figures/heat_panel.h"
+#include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"
-#include "tools/figures/strip.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr std::size_t kMostCourses = 8;
@@ -154,7 +158,7 @@ Page DrawFutures(const SceneFutures& scene, const TaskTable& table, const Loaded
     const int number = static_cast<int>(strips.size()) + 1;
     strips.push_back(StripOf(course, number, scene, table, loaded, parameters));
   }
-  Sheet sheet(std::max(kLeastWidth, StripsWidth(strips)));
+  Canvas sheet(std::max(kLeastWidth, StripsWidth(strips)));
   int y = DrawHeading(&sheet, "Parallel futures of one scene: " + loaded.engine->info().task);
   sheet.Picture(kMargin, y, scene.seen, FactorFor(std::max(scene.seen.width, scene.seen.height)));
   const int x = kMargin + kSide + 14;

@@ -24,6 +24,9 @@
 #include "tools/figures/variants.h"
 
 namespace prospect::figures {
+
+using report::Page;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -5,10 +5,13 @@
 #include <set>
 
 #include "planner/search.h"
-#include "tools/figures/page.h"
-#include "tools/figures/strip.h"
+#include "report/number.h"
+#include "tools/figures/cells.h"
 
 namespace prospect::figures {
+
+using report::Number;
+
 namespace {
 
 constexpr int kAllFutures = 100000;
