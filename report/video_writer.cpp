@@ -46,8 +46,8 @@ VideoWriter::VideoWriter(const std::string& path, double frames_per_second, int 
   const bool opened = impl_->writer.open(impl_->file.temporary(), cv::CAP_FFMPEG, CodecOf(format),
                                          frames_per_second, impl_->size);
   if (opened) return;
-  throw std::runtime_error("cannot write the video " + path +
-                           ": no place to write, or OpenCV has no FFmpeg with its encoder");
+  throw base::DiskError("cannot write the video " + path +
+                        ": no place to write, or OpenCV has no FFmpeg with its encoder");
 }
 
 VideoWriter::~VideoWriter() = default;

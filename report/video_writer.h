@@ -18,7 +18,7 @@ enum class VideoFormat {
 class VideoWriter {
  public:
   /// @param frames_per_second above 0 @param width,height of all pictures, pixels. Throws
-  /// base::DiskError or std::runtime_error if the file cannot be written.
+  /// base::DiskError if the file cannot be written.
   VideoWriter(const std::string& path, double frames_per_second, int width, int height,
               VideoFormat format = VideoFormat::kMp4);
   ~VideoWriter();

@@ -9,12 +9,12 @@
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "report/episode_video.h"
 #include "report/explanation_page.h"
 #include "report/explanation_pictures.h"
 #include "report/plan_picture.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/executive/conversation.h"
 #include "services/executive/episode.h"
@@ -24,6 +24,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::report;
 using namespace prospect::services;
 

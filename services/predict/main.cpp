@@ -7,16 +7,17 @@
 #include <limits>
 
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "report/futures_sheet.h"
 #include "report/image_edit.h"
 #include "report/png.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/executive/conversation.h"
 #include "services/predict/prediction.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::report;
 using namespace prospect::services;
 namespace fs = std::filesystem;

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/disk_error.h"
 #include "model/dataset.h"
 #include "report/video_reader.h"
 #include "report/video_writer.h"
@@ -75,7 +76,7 @@ TEST_P(Videos, HavePicturesOfOneSize) {
 
 TEST_P(Videos, NeedAFolder) {
   EXPECT_THROW(VideoWriter(folder_ / "none/film", 25, kWidth, kHeight, GetParam()),
-               std::runtime_error);
+               base::DiskError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Videos,
