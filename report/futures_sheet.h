@@ -23,7 +23,7 @@ struct FuturesSheet {
 };
 
 /// Writes the sheet as a PNG: what was seen, then each future, those with a truth beside it first.
-/// Throws std::runtime_error.
+/// Throws base::DiskError.
 void WriteFuturesSheet(const FuturesSheet& sheet, const std::string& path);
 
 }  // namespace prospect::report

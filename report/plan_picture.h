@@ -10,7 +10,7 @@ namespace prospect::report {
 /// header with the verdict; columns, one a step, with the imagined picture above the observed one
 /// and the step's figures, in bands of at most 1,900 pixels below each other; below, the first
 /// actions that were not chosen and why.
-/// Throws std::runtime_error when the file cannot be written.
+/// Throws base::DiskError when the file cannot be written.
 void WritePlanPicture(const services::EpisodeRecord& record, const std::string& path);
 
 }  // namespace prospect::report

@@ -54,7 +54,7 @@ VideoWriter::~VideoWriter() = default;
 
 void VideoWriter::Add(const sim::Image& picture) {
   if (cv::Size(picture.width, picture.height) != impl_->size)
-    throw std::invalid_argument("a picture of another size than the video " + impl_->path);
+    throw std::logic_error("a picture of another size than the video " + impl_->path);
   const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
                     const_cast<std::uint8_t*>(picture.rgb.data()));
   cv::cvtColor(rgb, impl_->bgr, cv::COLOR_RGB2BGR);

@@ -25,7 +25,7 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// Throws std::invalid_argument for a picture of another size than the video's.
+  /// Throws std::logic_error for a picture of another size than the video's.
   void Add(const sim::Image& picture);
 
   /// Call once, after the last picture. Looks whether all of it is on the disk, of which OpenCV

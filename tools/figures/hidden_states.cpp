@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/heat_map.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
 

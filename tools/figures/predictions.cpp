@@ -8,6 +8,7 @@
 #include "report/image_edit.h"
 #include "report/number.h"
 #include "sim/random.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
 

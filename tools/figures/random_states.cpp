@@ -4,6 +4,7 @@
 
 #include "report/heat_map.h"
 #include "sim/random.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
 

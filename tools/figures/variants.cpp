@@ -8,6 +8,7 @@
 #include "report/heat_map.h"
 #include "report/image_edit.h"
 #include "report/number.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
 

@@ -70,8 +70,8 @@ TEST_P(Videos, TakeTheirNameWhenTheyAreWhole) {
 
 TEST_P(Videos, HavePicturesOfOneSize) {
   VideoWriter video(Path(), 25, kWidth, kHeight, GetParam());
-  EXPECT_THROW(video.Add(Plain(kWidth, kHeight + 2, 0)), std::invalid_argument);
-  EXPECT_THROW(video.Add(Plain(kHeight, kWidth, 0)), std::invalid_argument);
+  EXPECT_THROW(video.Add(Plain(kWidth, kHeight + 2, 0)), std::logic_error);
+  EXPECT_THROW(video.Add(Plain(kHeight, kWidth, 0)), std::logic_error);
 }
 
 TEST_P(Videos, NeedAFolder) {
