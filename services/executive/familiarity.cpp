@@ -28,7 +28,8 @@ std::string FamiliaritySentence(const Familiarity& familiarity) {
 }
 
 FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+  subscription_ = talk_.bus().Subscribe<predict_reply_t>(
+      [this](const predict_reply_t& reply) { OnReply(reply); });
 }
 
 void FamiliarityInbox::OnReply(const predict_reply_t& reply) {

@@ -32,7 +32,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_flag("--calibrate-novelty", std::string("This program: what pictures are known"));
+  app->add_flag("--calibrate-novelty", "This program: what pictures are known");
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file; rewritten with the result")->required();
   app->add_option("--scenes", o->scenes,
@@ -62,7 +62,7 @@ std::vector<model::NoveltySample> Samples(const Options& options, model::Engine*
     auto& task = tasks[scene.objects];
     if (!task) task = sim::MakeTask(options.task, scene);
     const auto picture = FirstPicture(*task, seed, scene.image_noise);
-    samples.push_back(model::TakeNoveltySample(*engine, picture.data()));
+    samples.push_back(model::TakeNoveltySample(*engine, picture));
     progress.Step();
     if (base::StopRequested()) break;
   }
