@@ -77,10 +77,10 @@ StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
 
 // `surprise`: of what is seen now.
 std::string WhyAnew(const planner::NextStep& next, double surprise) {
-  if (next.surprise == 0) return "going on scored " + Number("%.2f", next.going_on);
+  if (next.surprise == 0) return "going on scored " + base::Number("%.2f", next.going_on);
   const std::string differs =
       next.surprise > surprise ? "an earlier picture differed" : "the picture differs";
-  return "a patch of " + differs + " by " + Number("%.2f", next.surprise) +
+  return "a patch of " + differs + " by " + base::Number("%.2f", next.surprise) +
          " from what was imagined";
 }
 
@@ -90,13 +90,13 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
   const planner::PlanStep last = future.steps.empty() ? planner::PlanStep{} : future.steps.back();
   switch (future.rejection) {
     case planner::Rejection::kNotPermitted:
-      return "ruled out from the start (p " + Number("%.3f", last.prior) + ")";
+      return "ruled out from the start (p " + base::Number("%.3f", last.prior) + ")";
     case planner::Rejection::kNotDone:
-      return "would not finish (f " + Number("%.2f", last.done) + ")";
+      return "would not finish (f " + base::Number("%.2f", last.done) + ")";
     case planner::Rejection::kLowValue:
-      return "leads to failure (V " + Number("%.2f", last.value) + ")";
+      return "leads to failure (V " + base::Number("%.2f", last.value) + ")";
     case planner::Rejection::kLowScore:
-      return "too unlikely to succeed (score " + Number("%.2f", future.score) + ")";
+      return "too unlikely to succeed (score " + base::Number("%.2f", future.score) + ")";
     case planner::Rejection::kNone:
       break;
   }

@@ -25,6 +25,9 @@
 #include "tools/figures/variants.h"
 
 namespace prospect::figures {
+
+using report::Page;
+
 namespace {
 
 namespace fs = std::filesystem;

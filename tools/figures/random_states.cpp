@@ -3,9 +3,13 @@
 #include <algorithm>
 
 #include "base/random.h"
-#include "tools/figures/heat_panel.h"
+#include "report/heat_map.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kColumns = 7, kTransforms = 200;
@@ -20,7 +24,7 @@ model::Hidden DrawState(int size, std::uint64_t seed) {
 
 struct Column {
   sim::Image before, after;
-  ChannelMean mean_before, mean_after;
+  ValueGrid mean_before, mean_after;
 };
 
 Column MakeColumn(const TaskTable& table, const LoadedModel& loaded, const sim::Image& scene,
@@ -36,7 +40,7 @@ Column MakeColumn(const TaskTable& table, const LoadedModel& loaded, const sim::
   return {pictures[0], pictures[1], MeanOverChannels(info, start), MeanOverChannels(info, end)};
 }
 
-void DrawColumn(Sheet* sheet, int x, int y, const Column& column, const Range& range) {
+void DrawColumn(Canvas* sheet, int x, int y, const Column& column, const Range& range) {
   const int factor = FactorFor(std::max(column.before.width, column.before.height));
   const int step = kSide + 10;
   DrawHeat(sheet, x, y, column.mean_before, range);
@@ -50,7 +54,7 @@ void DrawColumn(Sheet* sheet, int x, int y, const Column& column, const Range& r
 Page DrawRandomStates(const TaskTable& table, const LoadedModel& loaded, const sim::Image& scene,
                       std::uint64_t seed) {
   std::vector<Column> columns;
-  std::vector<ChannelMean> means;
+  std::vector<ValueGrid> means;
   for (int i = 0; i < kColumns; ++i) {
     columns.push_back(
         MakeColumn(table, loaded, scene, base::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
@@ -58,7 +62,7 @@ Page DrawRandomStates(const TaskTable& table, const LoadedModel& loaded, const s
     means.push_back(columns.back().mean_after);
   }
   const Range range = RangeOf(means);
-  Sheet sheet(2 * kMargin + kLabel + kColumns * kColumn + kScale);
+  Canvas sheet(2 * kMargin + kLabel + kColumns * kColumn + kScale);
   const int y = DrawHeading(&sheet, "What transforms make of noise: " + loaded.engine->info().task);
   const char* labels[] = {"random hidden state", "its decoding", "after 200 transforms",
                           "its decoding"};

@@ -12,6 +12,7 @@
 #include "tools/evaluate/decider.h"
 
 namespace prospect::figures {
+
 namespace {
 
 std::string NameOf(const sim::ActionSpec& action) {
