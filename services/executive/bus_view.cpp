@@ -71,6 +71,7 @@ std::string BusView::PictureDefects() const {
 void BusView::OnStatus(const action_status_t& status) {
   world_heard_ms_ = SteadyMs();
   holder_id_ = status.holder_id;
+  present_episode_id_ = status.episode_id;
   if (status.episode_id != episode_id_) return;
   status_ = status;
   status_heard_ms_ = SteadyMs();

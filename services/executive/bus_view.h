@@ -38,6 +38,9 @@ class BusView {
   /// Who holds the robot, by the latest ACTION_STATUS of any episode: 0 where nobody does; nothing
   /// before the first.
   const std::optional<std::int64_t>& holder_id() const { return holder_id_; }
+  /// The episode that stands, by the latest ACTION_STATUS, whichever is followed; nothing before
+  /// the first.
+  const std::optional<std::int64_t>& present_episode_id() const { return present_episode_id_; }
   /// When `status` was heard, on SteadyMs()'s clock.
   std::int64_t status_heard_ms() const { return status_heard_ms_; }
   /// When anything that a simulator or robot says (HEALTH apart) was last heard, on SteadyMs()'s
@@ -67,6 +70,7 @@ class BusView {
   std::int64_t episode_id_ = -1;
   std::int64_t seed_ = -1;  // of the episode to follow; -1: it is known by its id, or any will do
   std::optional<std::int64_t> holder_id_;
+  std::optional<std::int64_t> present_episode_id_;
   std::optional<observation_t> latest_;
   std::optional<action_status_t> status_;
   std::int64_t status_heard_ms_ = 0;

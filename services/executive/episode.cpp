@@ -40,28 +40,6 @@ std::string Number(const char* format, double value) {
   return text;
 }
 
-// The world's short causes in words: "collision(barrel)", "time", "left_site".
-std::string InWords(const std::string& cause) {
-  const std::string collision = "collision(";
-  if (cause.rfind(collision, 0) == 0)
-    return "it ran into the " + cause.substr(collision.size(), cause.size() - collision.size() - 1);
-  if (cause == "time") return "it ran out of time";
-  if (cause == "left_site") return "it left the site";
-  if (cause.rfind("obstacle(", 0) == 0) {
-    return "its " + cause.substr(9, cause.size() - 10) + " touched the obstacle";
-  }
-  if (cause == "workspace(table)") return "it hit the table";
-  if (cause.rfind("workspace", 0) == 0) return "it left its workspace";
-  if (cause == "unreachable") return "it could not reach there";
-  if (cause == "block_lost") return "a block fell off the table";
-  if (cause == "plan_exhausted") return "no tower stood at the end of the plan";
-  return cause;
-}
-
-std::string InWords(const ActRecord& act) {
-  return act.name + " " + act.observed + (act.reason.empty() ? "" : ": " + InWords(act.reason));
-}
-
 StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
   StepRecord record;
   record.action = step.action;
@@ -177,8 +155,7 @@ void Episode::Prepare() {
   record_.weights = model_.server_id ? HexText(model_.weights_hash) : "";
   if (!talk_.view().label()) return;
   if (!options_.reset) record_.seed = talk_.view().label()->seed;
-  const auto& present = talk_.view().label()->present;
-  record_.objects = static_cast<int>(std::count(present.begin(), present.end(), 1));
+  record_.objects = KindOf(task, &*talk_.view().label()).objects;
 }
 
 // Said at the start: whether what is known of these weights holds for such scenes at all.
@@ -242,7 +219,7 @@ SearchQuestion Episode::MakeQuestion(const planner::Attempt& attempt) const {
   parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
   parameters.workers = LiveWorkers();
   SetParameters(parameters, &root);
-  if (attempt.plan_length != task.plan_length) SetPlanLength(attempt.plan_length, &root);
+  root.plan_length = attempt.plan_length;
   return question;
 }
 
@@ -585,7 +562,9 @@ bool Episode::Act(int action) {
   TellOf(act);
 
   if (status.state != action_status_t::STATE_SUCCEEDED) {
-    Verdict(status.state == action_status_t::STATE_FAILED ? "failed" : "stopped", InWords(act));
+    Verdict(
+        status.state == action_status_t::STATE_FAILED ? "failed" : "stopped",
+        act.name + " " + act.observed + (act.reason.empty() ? "" : ": " + CauseWords(act.reason)));
     return false;
   }
   return GoesOn(status);
@@ -598,7 +577,7 @@ bool Episode::GoesOn(const action_status_t& status) {
       attempts_ ? attempts_->complete()
                 : static_cast<int>(record_.acts.size()) >= talk_.view().task()->plan_length;
   if (status.outcome == label_t::OUTCOME_FAILURE) {
-    Verdict("failed", InWords(status.reason));
+    Verdict("failed", CauseWords(status.reason));
   } else if (status.outcome == label_t::OUTCOME_SUCCESS ||
              (complete && status.outcome == label_t::OUTCOME_UNKNOWN)) {
     const bool reached = GoalReached();
@@ -678,7 +657,15 @@ void Episode::TellOf(const ActRecord& act) const {
             std::min(attempt.executed.size(), static_cast<std::size_t>(attempt.plan_length));
   }
   tell_(std::to_string(record_.acts.size()) + "/" + std::to_string(steps) + " " + act.name + ": " +
-        act.observed + (act.reason.empty() ? "" : ", " + InWords(act.reason)));
+        act.observed + (act.reason.empty() ? "" : ", " + CauseWords(act.reason)));
+}
+
+// As TASK's table has it; a robot's own cause as it is.
+std::string Episode::CauseWords(const std::string& cause) const {
+  for (const cause_t& known : talk_.view().task()->causes) {
+    if (known.name == cause) return known.words;
+  }
+  return cause;
 }
 
 std::string Episode::ActionName(int action) const {

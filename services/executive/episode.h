@@ -81,6 +81,7 @@ class Episode {
   void Conclude();
   void Verdict(const std::string& outcome, const std::string& reason);
   std::string ActionName(int action) const;
+  std::string CauseWords(const std::string& cause) const;
   void TellOf(const ActRecord& act) const;
   void AddSeconds(const char* phase, std::chrono::steady_clock::time_point since);
 

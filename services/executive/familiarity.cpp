@@ -84,14 +84,12 @@ Recognition FamiliarityInbox::Ask(const search_root_t& root, const Picture& seen
   };
   if (!talk_.Until([this] { return reply_.has_value(); }, kTimeoutMs, ask, kRepeatMs))
     return {{}, "no server answered within 3 s" + (refusal_.empty() ? "" : ": " + refusal_)};
-  if (reply_->reason.empty()) {
+  if (reply_->novelty.empty()) {
     spdlog::warn("nothing is refused for its picture: the weights hold nothing of known ones");
     return {};
   }
-  const auto novelty = NoveltyFrom(reply_->reason);
-  if (!novelty) return {{}, "a server's answer cannot be read: " + reply_->reason};
   Familiarity familiarity;
-  familiarity.novelty = *novelty;
+  familiarity.novelty = FromMessage(reply_->novelty.front());
   familiarity.level = level;
   familiarity.seen = seen;
   if (reply_->width > 0) familiarity.redrawn = {reply_->width, reply_->height, reply_->data};

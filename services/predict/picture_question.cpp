@@ -24,6 +24,7 @@ search_root_t RootOf(Conversation& talk, const model_info_t& server,
   root.image_id = kPresentImage;
   root.executed = question.executed;
   root.num_executed = static_cast<std::int32_t>(root.executed.size());
+  root.plan_length = task.plan_length;
   root.time_left = -1;
   root.rule = "paper";
   root.depth = 1;

@@ -241,7 +241,7 @@ TEST(BadPeers, WhereNobodyKnowsThePictureNothingIsDone) {
   EXPECT_FALSE(witness.commands.empty());
 }
 
-TEST(BadPeers, AnUnreadableWordOnThePictureIsARefusal) {
+TEST(BadPeers, AnImpossibleWordOnThePictureIsARefusal) {
   Witness witness;
   Deployment deployment("unreadable_novelty");
   deployment.Simulator();
@@ -254,11 +254,13 @@ TEST(BadPeers, AnUnreadableWordOnThePictureIsARefusal) {
     reply.search_id = request.search_id;
     reply.path = request.path;
     reply.status = expand_reply_t::STATUS_OK;
-    reply.reason = "p=certainly";
+    reply.novelty.resize(1);
+    reply.novelty.front().p = 2;
+    messages::SetCounts(reply);
     witness.bus.Publish(reply);
   });
   EXPECT_EQ(EndOf(deployment.Executive(), witness), 3);
-  ExpectRefused(deployment, witness, "a server's answer cannot be read: p=certainly");
+  ExpectRefused(deployment, witness, "no server answered within 3 s");
 }
 
 TEST(BadPeers, ATaskThatChangesInMidEpisodeIsNamed) {

@@ -20,28 +20,15 @@ bool Holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(NoveltyText, ComesBackAsItWent) {
-  const auto back = NoveltyFrom(NoveltyText(kForeign));
-  ASSERT_TRUE(back);
-  EXPECT_NEAR(back->p, kForeign.p, 1e-9);
-  EXPECT_NEAR(back->error, kForeign.error, 1e-9);
-  EXPECT_NEAR(back->error_limit, kForeign.error_limit, 1e-9);
-  EXPECT_NEAR(back->residual, kForeign.residual, 1e-9);
-  EXPECT_NEAR(back->residual_limit, kForeign.residual_limit, 1e-9);
-  EXPECT_NEAR(back->state, kForeign.state, 1e-9);
-  EXPECT_NEAR(back->state_limit, kForeign.state_limit, 1e-9);
-}
-
-TEST(NoveltyText, WhatIsNoneIsRefused) {
-  const std::string text = NoveltyText(kForeign);
-  for (const std::string& bad :
-       {std::string(), std::string("this search is not held here"), text + " more=1",
-        text.substr(0, text.size() / 2), "x" + text, std::string("p=nan") + text.substr(7),
-        std::string("p=2") + text.substr(7), std::string("p=-1") + text.substr(7),
-        std::string("p=0.1x") + text.substr(7)}) {
-    EXPECT_FALSE(NoveltyFrom(bad)) << bad;
-  }
-  ASSERT_EQ(text.substr(0, 7), "p=0.002") << "the cases above replace it";
+TEST(NoveltyMessages, ComeBackAsTheyWent) {
+  const model::Novelty back = FromMessage(ToMessage(kForeign));
+  EXPECT_EQ(back.p, kForeign.p);
+  EXPECT_EQ(back.error, kForeign.error);
+  EXPECT_EQ(back.error_limit, kForeign.error_limit);
+  EXPECT_EQ(back.residual, kForeign.residual);
+  EXPECT_EQ(back.residual_limit, kForeign.residual_limit);
+  EXPECT_EQ(back.state, kForeign.state);
+  EXPECT_EQ(back.state_limit, kForeign.state_limit);
 }
 
 TEST(Familiarity, IsForeignBelowTheLevel) {

@@ -49,6 +49,7 @@ search_root_t TreeRoot(std::int64_t seed) {
   root.search_id = 77 + seed;
   root.task = "scripted-tree";
   root.task_hash = TreeTask().task_hash;
+  root.plan_length = TreeTask().plan_length;
   root.time_left = -1;
   root.leaves = 2;
   root.budget_ms = -1;
@@ -158,7 +159,8 @@ TEST_F(ReplayTest, AJournalRepeatsEverySelectionAndABusLogEveryTable) {
 
   const auto searches = ReplayBusLog(File("bus.lcmlog"));
   ASSERT_EQ(searches.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(TableText(searches[i].search->search()) == tables[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(TableText(searches[i].search->search()) == tables[i]);
   EXPECT_TRUE(tables[0] != tables[1]);
 }
 
