@@ -18,7 +18,7 @@ std::string SizeText(std::int32_t width, std::int32_t height) {
 
 }  // namespace
 
-Picture PictureOf(const observation_t& observation) {
+agent::Picture PictureOf(const observation_t& observation) {
   return {observation.width, observation.height, observation.data};
 }
 

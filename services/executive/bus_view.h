@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "agent/picture.h"
 #include "model/refusal/sample.h"
 #include "services/binding/server_list.h"
 #include "services/common/bus.h"
-#include "services/executive/picture.h"
 
 namespace prospect::services {
 
@@ -51,7 +51,7 @@ class BusView {
   /// The calibration that came with these weights; null when none was heard.
   const model::CalibrationSample* calibration(std::int64_t weights_hash) const;
   /// Every picture of the episode heard so far, by frame number.
-  const std::map<std::int64_t, Picture>& frames() const { return frames_; }
+  const std::map<std::int64_t, agent::Picture>& frames() const { return frames_; }
   /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says
   /// 64x64"); empty when there were none.
   std::string PictureDefects() const;
@@ -77,10 +77,10 @@ class BusView {
   std::int64_t world_heard_ms_ = 0;
   std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
-  std::map<std::int64_t, Picture> frames_;
+  std::map<std::int64_t, agent::Picture> frames_;
 };
 
 /// The picture in an observation.
-Picture PictureOf(const observation_t& observation);
+agent::Picture PictureOf(const observation_t& observation);
 
 }  // namespace prospect::services

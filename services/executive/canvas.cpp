@@ -9,6 +9,9 @@
 #include "base/atomic_file.h"
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;

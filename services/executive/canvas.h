@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "services/executive/picture.h"
+#include "agent/picture.h"
 
 namespace prospect::services {
 
@@ -29,7 +29,7 @@ class Canvas {
 
   /// A picture enlarged so that its longer side is `side`, at (x, y), with a frame of `color`. An
   /// empty picture is a grey square that says so.
-  void Image(int x, int y, int side, const Picture& picture, const cv::Scalar& color);
+  void Image(int x, int y, int side, const agent::Picture& picture, const cv::Scalar& color);
 
   void Line(int x0, int x1, int y, const cv::Scalar& color);
 

@@ -10,6 +10,9 @@
 #include "tools/common/whole_mp4.h"
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 constexpr int kEnlargedSide = 448;

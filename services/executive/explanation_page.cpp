@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "agent/explanation_text.h"
 #include "services/executive/explanation_pictures.h"
+#include "services/executive/risk_chart.h"
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 constexpr char kStyle[] = R"css(

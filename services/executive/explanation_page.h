@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/executive/explanation.h"
+#include "agent/explanation.h"
 
 namespace prospect::services {
 
@@ -11,7 +11,7 @@ namespace prospect::services {
 /// what each lost by, and how the search went. One file that refers to nothing outside itself:
 /// pictures are PNGs in data: URIs. Without pictures (a build without OpenCV, a server that sent
 /// none) it has words only.
-std::string ExplanationPage(const Explanation& explanation);
+std::string ExplanationPage(const agent::Explanation& explanation);
 
 /// The text with the five characters that mean something in HTML replaced, and control characters
 /// by spaces.

@@ -6,9 +6,13 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agent/explanation_text.h"
 #include "services/executive/canvas.h"
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 constexpr int kMargin = 20, kGap = 14, kSide = 160, kLeastWidth = 760;

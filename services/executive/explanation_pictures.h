@@ -2,17 +2,17 @@
 
 #include <string>
 
-#include "services/executive/explanation.h"
+#include "agent/explanation.h"
 
 namespace prospect::services {
 
 /// The picture as a PNG file's bytes; empty in a build without OpenCV.
-std::string PngOf(const Picture& picture);
+std::string PngOf(const agent::Picture& picture);
 
 /// Each plan of the explanation as a strip of imagined pictures with V and f under each and the
 /// sentence it lost by: chosen.png, alternative-1.png and so on, what-if.png. Those of an earlier
 /// explanation that this one has no plan for are removed. Throws std::runtime_error when a file
 /// cannot be written.
-void WriteExplanationPictures(const Explanation& explanation, const std::string& folder);
+void WriteExplanationPictures(const agent::Explanation& explanation, const std::string& folder);
 
 }  // namespace prospect::services

@@ -8,6 +8,8 @@
 
 namespace prospect::services {
 
+using namespace agent;
+
 void WritePlanPicture(const EpisodeRecord&, const std::string& path) {
   spdlog::info("{} is not drawn: this build was made without OpenCV", path);
 }

@@ -7,6 +7,9 @@
 #include "services/executive/report.h"
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 constexpr int kMargin = 28;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/executive/episode_record.h"
+#include "agent/record.h"
 
 namespace prospect::services {
 
@@ -11,6 +11,6 @@ namespace prospect::services {
 /// and the step's figures, in bands of at most 1,900 pixels below each other; below, the first
 /// actions that were not chosen and why.
 /// Throws std::runtime_error when the file cannot be written.
-void WritePlanPicture(const EpisodeRecord& record, const std::string& path);
+void WritePlanPicture(const agent::EpisodeRecord& record, const std::string& path);
 
 }  // namespace prospect::services

@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 namespace prospect::services {
+
+using namespace agent;
+
 namespace {
 
 using nlohmann::json;

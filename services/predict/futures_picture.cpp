@@ -15,7 +15,7 @@ namespace {
 constexpr int kSide = 256, kGap = 16, kMargin = 20, kAcross = 5;
 const cv::Scalar kSeen(60, 60, 60), kImagined(190, 120, 40), kTrue(60, 140, 40);
 
-int HeightOf(const Picture& picture) {
+int HeightOf(const agent::Picture& picture) {
   return picture.empty() ? kSide : kSide * picture.height / std::max(1, picture.width);
 }
 
@@ -46,7 +46,7 @@ class Grid {
   Grid(Canvas* canvas, int top, int words, int height)
       : canvas_(*canvas), top_(top), words_(words), height_(height) {}
 
-  void Put(const std::string& words, const std::string& below, const Picture& picture,
+  void Put(const std::string& words, const std::string& below, const agent::Picture& picture,
            const cv::Scalar& color) {
     if (column_ == kAcross) NewLine();
     const int x = kMargin + column_++ * (kSide + kGap);
@@ -73,7 +73,7 @@ class Grid {
 
 }  // namespace
 
-double MeanAbsoluteError(const Picture& a, const Picture& b) {
+double MeanAbsoluteError(const agent::Picture& a, const agent::Picture& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
   return a.empty() ? 0 : sum / 255 / static_cast<double>(a.rgb.size());
@@ -98,7 +98,7 @@ void WriteFuturesSheet(const FuturesSheet& sheet, const std::string& path) {
   canvas.Write(path, bottom + kMargin / 2);
 }
 
-void WritePicture(const Picture& picture, const std::string& path) {
+void WritePicture(const agent::Picture& picture, const std::string& path) {
   const cv::Mat rgb(picture.height, picture.width, CV_8UC3,
                     const_cast<std::uint8_t*>(picture.rgb.data()));
   cv::Mat bgr;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "services/executive/picture.h"
+#include "agent/picture.h"
 
 namespace prospect::services {
 
@@ -11,13 +11,13 @@ namespace prospect::services {
 /// true while somebody waited, what the camera then saw.
 struct ImaginedFuture {
   std::string words;
-  Picture imagined, truth;  ///< truth: empty where it is not known
+  agent::Picture imagined, truth;  ///< truth: empty where it is not known
 };
 
 /// What `predict` shows.
 struct FuturesSheet {
   std::string title;
-  Picture seen;
+  agent::Picture seen;
   std::vector<ImaginedFuture> futures;
   std::string caption;
 };
@@ -27,9 +27,9 @@ struct FuturesSheet {
 void WriteFuturesSheet(const FuturesSheet& sheet, const std::string& path);
 
 /// One picture as a PNG. Throws std::runtime_error.
-void WritePicture(const Picture& picture, const std::string& path);
+void WritePicture(const agent::Picture& picture, const std::string& path);
 
 /// Mean absolute difference as a share of full range, of pictures of one size.
-double MeanAbsoluteError(const Picture& a, const Picture& b);
+double MeanAbsoluteError(const agent::Picture& a, const agent::Picture& b);
 
 }  // namespace prospect::services

@@ -14,8 +14,7 @@ endif()
 if(TARGET prospect_executive_lib)
   find_package(nlohmann_json 3 REQUIRED)
   prospect_quiet_regex(parts/explanation_page_test.cpp)
-  prospect_test(services_executive_test SOURCES parts/confidence_test.cpp parts/course_test.cpp parts/episode_goal_test.cpp parts/explanation_page_test.cpp parts/explanation_test.cpp
-    parts/familiarity_test.cpp parts/policy_test.cpp parts/report_test.cpp
+  prospect_test(services_executive_test SOURCES parts/explanation_page_test.cpp parts/policy_test.cpp parts/report_test.cpp
     LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
   target_compile_definitions(services_executive_test PRIVATE PROSPECT_PICTURES=$<BOOL:${OpenCV_FOUND}>)
 endif()

@@ -4,6 +4,7 @@
 
 #include "services/binding/calibration_messages.h"
 #include "services/binding/evaluation_messages.h"
+#include "services/binding/novelty_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/statistics_messages.h"
 #include "services/binding/task_messages.h"
@@ -209,6 +210,18 @@ TEST(TaskMessages, IndexOutsideTheTableIsRefused) {
   task_t task = SmallTask();
   task.initial = {0, 9};
   EXPECT_THROW(RulesFromTask(task), std::runtime_error);
+}
+
+TEST(NoveltyMessages, ComeBackAsTheyWent) {
+  const model::Novelty sent{0.002, 0.051, 0.02, 3.25, 1.2, 1.0, 1.3};
+  const model::Novelty back = FromMessage(ToMessage(sent));
+  EXPECT_EQ(back.p, sent.p);
+  EXPECT_EQ(back.error, sent.error);
+  EXPECT_EQ(back.error_limit, sent.error_limit);
+  EXPECT_EQ(back.residual, sent.residual);
+  EXPECT_EQ(back.residual_limit, sent.residual_limit);
+  EXPECT_EQ(back.state, sent.state);
+  EXPECT_EQ(back.state_limit, sent.state_limit);
 }
 
 }  // namespace

@@ -9,9 +9,17 @@
 
 #include "services/executive/explanation_pictures.h"
 #include "services/executive/plan_picture.h"
+#include "services/executive/risk_chart.h"
+#include "tests/unit/agent/calibration_sample.h"
 
 namespace prospect::services {
 namespace {
+
+using namespace agent;
+
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 StepRecord Step(const std::string& name, double score) {
   StepRecord step;
@@ -148,6 +156,34 @@ TEST(ReportTest, PicturesOfLongPlansGoOnBelow) {
     EXPECT_GT(height, 500u) << name;
   }
   std::filesystem::remove_all(folder);
+}
+
+TEST(RiskChart, ShowsTheCurveAndTheThresholdOnIt) {
+  const RefusalTerms terms = TermsOf(Sample(), "paper", {}, false);
+  const std::string chart = RiskChart(terms, 0.5);
+  EXPECT_EQ(chart.rfind("<svg ", 0), 0u);
+  EXPECT_TRUE(Holds(chart, "<polyline "));
+  EXPECT_TRUE(Holds(chart, "<circle ")) << "the threshold";
+  EXPECT_FALSE(Holds(RiskChart(terms, 0.9), "<circle ")) << "above every score";
+  // Half of the wide range: 50 of 80 are attempted at 0.5, at x = 48 + 0.625 * 298.
+  EXPECT_TRUE(Holds(chart, "<circle cx=\"234.2\"")) << chart;
+  EXPECT_EQ(RiskChart({}, 0.5), "");
+}
+
+TEST(ConfidenceInReports, StandsInTheTableAndInResultJson) {
+  EpisodeRecord record;
+  record.outcome = "solved";
+  record.confidence = ConfidenceOf(Sample(), 0.21, 0);
+  record.terms = TermsOf(Sample(), "paper", {}, false);
+  record.terms->promises = {"Refuses at most 5 %."};
+  EXPECT_TRUE(Holds(PlanTable(record), "At the start: Succeeds in about 33 %"));
+  EXPECT_TRUE(Holds(PlanTable(record), "Refuses at most 5 %."));
+  const std::string json = ResultJson(record, 0);
+  EXPECT_TRUE(Holds(json, "\"success\": 0.3333"));
+  EXPECT_TRUE(Holds(json, "\"calibration_scenes\": 80"));
+  record.confidence.reset();
+  EXPECT_TRUE(Holds(ResultJson(record, 0), "\"confidence\": null"));
+  EXPECT_FALSE(Holds(PlanTable(record), "At the start"));
 }
 
 }  // namespace
