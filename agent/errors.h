@@ -1,19 +1,21 @@
 #pragma once
 
-#include <stdexcept>
+#include <string>
+
+#include "base/exit_error.h"
 
 namespace prospect::agent {
 
 /// What was asked for cannot be understood in this task; says what can.
-class UsageError : public std::invalid_argument {
+class UsageError : public ExitError {
  public:
-  using std::invalid_argument::invalid_argument;
+  explicit UsageError(const std::string& message) : ExitError(kExitUsage, message) {}
 };
 
 /// Nothing can be promised: the weights' calibration does not cover such scenes.
-class PromiseError : public std::runtime_error {
+class PromiseError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit PromiseError(const std::string& message) : ExitError(kExitWeights, message) {}
 };
 
 }  // namespace prospect::agent

@@ -187,7 +187,7 @@ int Run(const Options& options) {
         progress.Step();
       });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (totals.scenes == 0) throw tools::Interrupted(extent.Words("scenes"));
+  if (totals.scenes == 0) throw Interrupted(extent.Words("scenes"));
   json report = Report(options, totals, seconds.count());
   extent.Put(&report);
   Print(report);

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "agent/errors.h"
 #include "services/executive/plan_message.h"
 #include "services/executive/policy.h"
 
@@ -57,15 +56,7 @@ BusEpisode::BusEpisode(Conversation& talk, const ExecutiveOptions& options, Tell
       mind_(talk, options_),
       episode_(world_, &mind_, options_, speaker_) {}
 
-agent::EpisodeRecord BusEpisode::Run() {
-  try {
-    return Leave(episode_.Run());
-  } catch (const agent::UsageError& error) {
-    throw ExitError(kExitUsage, error.what());
-  } catch (const agent::PromiseError& error) {
-    throw ExitError(kExitWeights, error.what());
-  }
-}
+agent::EpisodeRecord BusEpisode::Run() { return Leave(episode_.Run()); }
 
 agent::EpisodeRecord BusEpisode::Stopped(const std::string& reason) {
   return Leave(episode_.Stopped(reason));

@@ -10,8 +10,8 @@
 #include "agent/explanation_text.h"
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/executive/bus_episode.h"
 #include "services/executive/conversation.h"
@@ -25,6 +25,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 using prospect::agent::EpisodeRecord;
 

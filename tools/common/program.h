@@ -1,35 +1,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <functional>
-#include <stdexcept>
+#include <string>
 
-#include "tools/common/extent.h"
+#include "base/run_main.h"
 
 namespace prospect::tools {
 
-/// The end of main() of a program that needs no libtorch (others: Guarded in guarded.h): reads the
-/// arguments, runs, tells errors on standard error after the program's name. Returns run()'s code;
-/// usage 2 (also std::invalid_argument), Interrupted 130, anything else thrown 13
-/// (docs/architecture.md).
-inline int RunProgram(const char* name, CLI::App* app, int argc, char** argv,
-                      const std::function<int()>& run) {
+/// main() of a program: reads the arguments (mistakes in them end with kExitUsage), and runs the
+/// rest as RunMain does, telling errors after the program's name.
+inline int RunProgram(const std::string& name, CLI::App* app, int argc, char** argv,
+                      const std::function<int()>& run, ExitCode others = kExitDisk) {
   try {
     app->parse(argc, argv);
-    return run();
   } catch (const CLI::ParseError& error) {
-    return app->exit(error) == 0 ? 0 : 2;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "%s: %s\n", name, error.what());
-    return 2;
-  } catch (const Interrupted& error) {
-    std::fprintf(stderr, "%s: %s\n", name, error.what());
-    return kExitInterrupted;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name, error.what());
-    return 13;
+    return app->exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
+  return RunMain(run, name, others);
 }
 
 }  // namespace prospect::tools

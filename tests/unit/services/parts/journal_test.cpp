@@ -6,12 +6,12 @@
 
 #include <filesystem>
 
+#include "base/exit_error.h"
 #include "planner/scripted_tree.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/search_table.h"
 #include "services/binding/statistics_messages.h"
 #include "services/binding/task_messages.h"
-#include "services/common/run_main.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
 #include "services/worker/journal.h"
