@@ -1,7 +1,5 @@
 #include "services/executive/bus_mind.h"
 
-#include <algorithm>
-
 #include "services/binding/search_messages.h"
 #include "services/executive/preparation.h"
 
@@ -54,16 +52,8 @@ SearchQuestion BusMind::ToRoot(const agent::SearchQuestion& asked) const {
   root.goals = asked.goal;
   root.num_goals = static_cast<std::int32_t>(root.goals.size());
   root.leaves = options_.leaves;
-  planner::SearchParameters parameters = asked.parameters;
-  parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
-  parameters.workers = LiveWorkers();
-  SetParameters(parameters, &root);
+  SetParameters(asked.parameters, &root);
   return question;
-}
-
-// Workers that search apart part the samples among them.
-int BusMind::LiveWorkers() const {
-  return static_cast<int>(std::max<std::size_t>(1, talk_.monitor().Alive("worker").size()));
 }
 
 agent::SearchAnswer BusMind::Search(const agent::SearchQuestion& question) {

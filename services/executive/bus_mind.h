@@ -29,7 +29,6 @@ class BusMind : public agent::Mind {
  private:
   SearchQuestion ToRoot(const agent::SearchQuestion& question) const;
   search_image_t ImageOf(const agent::Glimpse& glimpse) const;
-  int LiveWorkers() const;
 
   Conversation& talk_;
   const ExecutiveOptions& options_;

@@ -16,7 +16,8 @@ constexpr std::int64_t kFirstId = std::int64_t{1} << 40;
 }  // namespace
 
 FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+  subscription_ = talk_.bus().Subscribe<predict_reply_t>(
+      [this](const predict_reply_t& reply) { OnReply(reply); });
 }
 
 void FamiliarityInbox::OnReply(const predict_reply_t& reply) {

@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/lock.h"
 #include "base/run_main.h"
+#include "planner/selection_rule.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
 #include "services/executive/bus_episode.h"
@@ -89,7 +90,7 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
       ->check(CLI::Range(0, 32))
       ->capture_default_str();
   app.add_option("--rule", search.rule, "selection rule")
-      ->check(CLI::IsMember({"paper", "puct", "puct-virtual-loss", "random"}))
+      ->check(CLI::IsMember(prospect::planner::SelectionRuleNames()))
       ->capture_default_str();
   app.add_option("--c", search.c, "exploration constant of the paper's rule")
       ->check(CLI::PositiveNumber)
@@ -126,7 +127,6 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  app.add_flag("!--no-sharing", options.sharing, "workers search apart; for comparison");
   app.add_option("--budget-ms", options.budget_ms, "time for one search; -1: none")
       ->check(CLI::Range(-1, 86400000))
       ->capture_default_str();

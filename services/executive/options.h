@@ -17,7 +17,6 @@ struct ExecutiveOptions : agent::EpisodeOptions {
   bool reset = true;            ///< false: take the scene as it is, as on a robot
   std::string world;            ///< world_version that TASK must have; empty: any
   int leaves = 2;               ///< evaluations a worker may have in flight
-  bool sharing = true;          ///< workers take each other's statistics and evaluations
   std::int64_t budget_ms = -1;  ///< time for one search; negative: none
   int workers = 1;              ///< planner workers to wait for before the first search
   std::string weights_hash;     ///< 16 hexadecimal digits; empty: whatever the first server holds

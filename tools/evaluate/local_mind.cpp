@@ -24,8 +24,7 @@ agent::SearchAnswer LocalMind::Search(const agent::SearchQuestion& question) {
 
 agent::Recognition LocalMind::Familiar() {
   agent::Recognition recognition;
-  if (gauge_)
-    recognition.novelty = gauge_->Judge(model::TakeNoveltySample(*engine_, present_.data()));
+  if (gauge_) recognition.novelty = gauge_->Judge(model::TakeNoveltySample(*engine_, present_));
   return recognition;
 }
 
