@@ -2,15 +2,16 @@
 
 #include <algorithm>
 
+#include "agent/explanation_text.h"
+#include "base/number_format.h"
 #include "report/difference_map.h"
 #include "report/html.h"
-#include "report/number.h"
 #include "report/png.h"
 #include "report/risk_chart.h"
 
 namespace prospect::report {
 
-using namespace services;
+using namespace agent;
 
 namespace {
 
@@ -67,15 +68,16 @@ std::string Image(const sim::Image& picture, const std::string& alt) {
 
 std::string Bar(double value) {
   const double percent = 100 * std::clamp(value, 0.0, 1.0);
-  return "<span class=\"bar\"><i style=\"width:" + Number("%.1f", percent) + "%\"></i></span>";
+  return "<span class=\"bar\"><i style=\"width:" + base::Number("%.1f", percent) +
+         "%\"></i></span>";
 }
 
 std::string Figures(const ExplainedStep& step) {
   if (step.imagined) {
-    return Bar(step.value) + "V&nbsp;" + Number("%.2f", step.value) + " &ensp;f&nbsp;" +
-           Number("%.2f", step.done);
+    return Bar(step.value) + "V&nbsp;" + base::Number("%.2f", step.value) + " &ensp;f&nbsp;" +
+           base::Number("%.2f", step.done);
   }
-  return step.prior >= 0 ? "p&nbsp;" + Number("%.3f", step.prior) : "";
+  return step.prior >= 0 ? "p&nbsp;" + base::Number("%.3f", step.prior) : "";
 }
 
 // A name such as align_over(yellow) in a narrow column breaks before its bracket.
@@ -172,14 +174,14 @@ std::string Recognised(const Explanation& explanation) {
          Paragraph(
              "p: how usual it would be, among first pictures of scenes kept for calibration, "
              "to be redrawn as badly or to lie as far from the others; pictures below " +
-                 Number("%g", familiarity.level) + " are refused.",
+                 base::Number("%g", familiarity.level) + " are refused.",
              "class=\"faint\"") +
          (figures.empty() ? "" : Element("div", "class=\"row\"", "\n" + figures) + "\n");
 }
 
 std::string ScoreOf(const ExplainedPlan& plan) {
   const bool scored = !plan.steps.empty() && plan.steps.back().imagined;
-  return scored ? ": score " + Number("%.2f", plan.score) : "";
+  return scored ? ": score " + base::Number("%.2f", plan.score) : "";
 }
 
 std::string Chosen(const Explanation& explanation) {
@@ -190,7 +192,7 @@ std::string Chosen(const Explanation& explanation) {
       "Each picture is what the networks expect to see after the step. V: expected "
       "chance of success from there. f: expected chance that the step gets done. "
       "V of the scene as it is: " +
-          Number("%.2f", explanation.root_value) + ".",
+          base::Number("%.2f", explanation.root_value) + ".",
       "class=\"faint\"");
   return text + Steps(explanation.chosen) + Paragraph(explanation.chosen.why);
 }
@@ -262,7 +264,7 @@ std::string Refusing(const Explanation& explanation) {
                        " calibration scenes. The stricter the threshold on the score, the fewer "
                        "are attempted and the fewer of these fail; the point is the threshold at "
                        "hand, " +
-                       Number("%.3f", threshold) + ".",
+                       base::Number("%.3f", threshold) + ".",
                    "class=\"faint\"") +
          chart;
 }
@@ -275,11 +277,12 @@ std::string HowTheSearchWent(const Explanation& explanation) {
                           std::to_string(limits.samples) + Ending(explanation.ended_by)) +
       Row("Imagined states", std::to_string(explanation.evaluations)) +
       Row("Workers", std::to_string(explanation.workers)) +
-      Row("Time", Number("%.2f s", explanation.seconds)) +
+      Row("Time", base::Number("%.2f s", explanation.seconds)) +
       Row("Rule", limits.rule + ", " + std::to_string(limits.depth) + " actions ahead of " +
                       std::to_string(explanation.plan_length) + " in a whole plan") +
-      Row("Gives up", "V below " + Number("%g", limits.v_failed) + ", f below " +
-                          Number("%g", limits.c_done) + ", p below " + Number("%g", limits.p_min)) +
+      Row("Gives up", "V below " + base::Number("%g", limits.v_failed) + ", f below " +
+                          base::Number("%g", limits.c_done) + ", p below " +
+                          base::Number("%g", limits.p_min)) +
       Row("Search seed", std::to_string(limits.seed)) + Row("Task", explanation.task) +
       Row("Scene", explanation.seed < 0 ? "as it stood" : std::to_string(explanation.seed)) +
       Row("Weights", explanation.weights + " (" + explanation.engine + ")");

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "agent/explanation_text.h"
+#include "base/number_format.h"
 #include "report/canvas.h"
-#include "report/number.h"
 #include "report/page.h"
 #include "report/png.h"
 
 namespace prospect::report {
 
-using services::ExplainedPlan;
-using services::ExplainedStep;
-using services::Explanation;
+using agent::ExplainedPlan;
+using agent::ExplainedStep;
+using agent::Explanation;
 
 namespace {
 
@@ -22,9 +23,9 @@ constexpr Style kTitle{0.6, kInk, false};
 
 std::string Figures(const ExplainedStep& step) {
   if (!step.imagined) {
-    return step.prior < 0 ? "not imagined" : Number("not imagined: p %.3f", step.prior);
+    return step.prior < 0 ? "not imagined" : base::Number("not imagined: p %.3f", step.prior);
   }
-  return Number("V %.2f", step.value) + Number("   f %.2f", step.done);
+  return base::Number("V %.2f", step.value) + base::Number("   f %.2f", step.done);
 }
 
 int DrawStep(Canvas& canvas, const ExplainedPlan& plan, std::size_t index, int x, int y) {
@@ -63,7 +64,7 @@ void RemoveFormer(const std::string& folder) {
   std::error_code ignored;
   for (const char* name : {"/chosen.png", "/what-if.png"})
     std::filesystem::remove(folder + name, ignored);
-  for (int i = 1; i <= services::kAlternatives; ++i)
+  for (int i = 1; i <= agent::kAlternatives; ++i)
     std::filesystem::remove(AlternativeFile(folder, i), ignored);
 }
 
@@ -72,7 +73,7 @@ void RemoveFormer(const std::string& folder) {
 void WriteExplanationPictures(const Explanation& explanation, const std::string& folder) {
   RemoveFormer(folder);
   const std::string verdict =
-      services::Headline(explanation) + ". " + services::ScoreSentence(explanation);
+      agent::Headline(explanation) + ". " + agent::ScoreSentence(explanation);
   if (!explanation.chosen.steps.empty())
     WriteStrip(explanation.chosen, verdict, explanation.chosen.why, folder + "/chosen.png");
   int number = 0;

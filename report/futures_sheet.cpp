@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/number_format.h"
 #include "report/canvas.h"
 #include "report/image_edit.h"
-#include "report/number.h"
 #include "report/page.h"
 #include "report/png.h"
 
@@ -19,8 +19,8 @@ int HeightOf(const sim::Image& picture) {
 }
 
 std::string ErrorText(const FuturesSheet& sheet, const ImaginedFuture& future) {
-  return Number("MAE %.4f; ", MeanAbsoluteError(future.imagined, future.truth)) +
-         Number("what was seen %.4f", MeanAbsoluteError(sheet.seen, future.truth));
+  return base::Number("MAE %.4f; ", MeanAbsoluteError(future.imagined, future.truth)) +
+         base::Number("what was seen %.4f", MeanAbsoluteError(sheet.seen, future.truth));
 }
 
 std::string WordsOf(const ImaginedFuture& future) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "report/number.h"
+#include "base/number_format.h"
 
 namespace prospect::report {
 
@@ -44,7 +44,7 @@ void DrawScale(Canvas* canvas, int x, int y, const Range& range) {
     const int at = y + static_cast<int>((1 - share) * (kSide - 1));
     canvas->Line(x + kWidth, at, x + kWidth + 4, at, kInk, 1);
     canvas->Text(x + kWidth + 7, at - 8,
-                 Number("%.2f", range.low + share * (range.high - range.low)), kSmallStyle);
+                 base::Number("%.2f", range.low + share * (range.high - range.low)), kSmallStyle);
   }
 }
 

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "base/number_format.h"
 #include "report/canvas.h"
-#include "report/number.h"
+#include "report/episode_report.h"
 #include "report/page.h"
 #include "report/png.h"
-#include "services/executive/report.h"
 
 namespace prospect::report {
 
-using namespace services;
+using namespace agent;
 
 namespace {
 
@@ -53,15 +53,15 @@ Color OutcomeColor(const std::string& outcome) {
 std::vector<std::string> Figures(const TableRow& row) {
   if (!row.searched) return {};
   const auto& step = row.imagined;
-  return {Number("score %.3f", step.score),
-          Number("V %.3f", step.value) + Number("   f %.3f", step.done),
+  return {base::Number("score %.3f", step.score),
+          base::Number("V %.3f", step.value) + base::Number("   f %.3f", step.done),
           std::to_string(step.visits) + " visits"};
 }
 
 std::string Observed(const TableRow& row, const EpisodeRecord& record) {
   if (row.observed.empty()) return "not carried out";
   const auto& act = record.acts[static_cast<std::size_t>(row.step) - 1];
-  const std::string text = row.observed + Number(" after %.1f s", act.sim_seconds);
+  const std::string text = row.observed + base::Number(" after %.1f s", act.sim_seconds);
   return act.reason.empty() ? text : text + ": " + act.reason;
 }
 
@@ -116,8 +116,9 @@ int DrawHeader(Canvas& canvas, const EpisodeRecord& record) {
   const auto& search = record.searches.front();
   std::string words = search.act ? "Before setting out, the plan scored "
                                  : "The best that could be imagined scores ";
-  words += Number("%.2f", search.score);
-  if (search.threshold > 0) words += Number(" (plans below %.2f are refused)", search.threshold);
+  words += base::Number("%.2f", search.score);
+  if (search.threshold > 0)
+    words += base::Number(" (plans below %.2f are refused)", search.threshold);
   words += ", from " + std::to_string(search.rollouts) + " imagined courses of action over " +
            std::to_string(search.evaluations) + " imagined states.";
   return canvas.Paragraph(kMargin, y, width, words, kBody) + 10;

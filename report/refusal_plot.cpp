@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/number.h"
+#include "base/number_format.h"
 #include "report/page.h"
 #include "report/plot.h"
 #include "report/png.h"
@@ -33,9 +33,9 @@ double MostRisk(const std::vector<json>& all) {
 }
 
 void DrawAxes(Plot* plot, double most_risk) {
-  for (int i = 0; i <= 5; ++i) plot->TickX(i / 5.0, Number("%.0f %%", 20.0 * i));
+  for (int i = 0; i <= 5; ++i) plot->TickX(i / 5.0, base::Number("%.0f %%", 20.0 * i));
   const int steps = static_cast<int>(std::lround(most_risk * 20));
-  for (int i = 0; i <= steps; ++i) plot->TickY(i / 20.0, Number("%.0f %%", 5.0 * i));
+  for (int i = 0; i <= steps; ++i) plot->TickY(i / 20.0, base::Number("%.0f %%", 5.0 * i));
   plot->Frame();
   plot->NameX("coverage: attempted of all scenes");
   plot->NameY("risk: failed of the attempted");
@@ -62,11 +62,12 @@ void DrawSplits(Canvas* canvas, int left, int y, const char* what, const json& s
   const auto at = [&](double rate) {
     return left + static_cast<int>(std::lround(axis.Share(rate) * kPlotWidth));
   };
-  canvas->Text(left, y - 34, what + Number(", promised at most %g %%:", 100 * target), kNoteStyle);
+  canvas->Text(left, y - 34, what + base::Number(", promised at most %g %%:", 100 * target),
+               kNoteStyle);
   canvas->Text(left, y - 16,
-               Number("mean %.1f %%, ", 100 * summary["mean"].get<double>()) +
-                   Number("%.0f of ", summary["within"].get<int>()) +
-                   Number("%.0f splits in the 95 %% band", summary["kept"].get<int>()),
+               base::Number("mean %.1f %%, ", 100 * summary["mean"].get<double>()) +
+                   base::Number("%.0f of ", summary["within"].get<int>()) +
+                   base::Number("%.0f splits in the 95 %% band", summary["kept"].get<int>()),
                kNoteStyle);
   canvas->Line(left, y + 12, left + kPlotWidth, y + 12, kRule, 1);
   canvas->Line(at(target), y + 3, at(target), y + 21, kBad, 2);
@@ -86,8 +87,8 @@ int DrawPanel(Canvas* canvas, int x, int y, double most_risk, const json& figure
   plot.DashedLine(figures["fail"]["target"], kBad);
   DrawCurve(&plot, figures["curve"]);
   canvas->Text(left, top + kPlotHeight + kPlotBelow,
-               Number("area %.3f; ", figures["area"]) +
-                   Number("solvable above hopeless (AUROC) %.3f", figures["auroc"]),
+               base::Number("area %.3f; ", figures["area"]) +
+                   base::Number("solvable above hopeless (AUROC) %.3f", figures["auroc"]),
                kNoteStyle);
   const int below = top + kPlotHeight + kPlotBelow + 68;
   DrawSplits(canvas, left, below, "refused of the solvable", figures["refuse"]);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/number.h"
+#include "base/number_format.h"
 
 namespace prospect::report {
 namespace {
@@ -30,13 +30,15 @@ Axes AxesFor(const std::vector<model::ThresholdEffect>& curve) {
 }
 
 std::string Line(double x0, double y0, double x1, double y1, const char* color) {
-  return "<path d=\"M" + Number("%.1f", x0) + Number(" %.1f", y0) + Number(" L%.1f", x1) +
-         Number(" %.1f", y1) + "\" stroke=\"" + color + "\"></path>\n";
+  return "<path d=\"M" + base::Number("%.1f", x0) + base::Number(" %.1f", y0) +
+         base::Number(" L%.1f", x1) + base::Number(" %.1f", y1) + "\" stroke=\"" + color +
+         "\"></path>\n";
 }
 
 std::string Words(double x, double y, const char* anchor, const std::string& text) {
-  return "<text x=\"" + Number("%.1f", x) + "\" y=\"" + Number("%.1f", y) + "\" text-anchor=\"" +
-         anchor + "\" font-size=\"11\" fill=\"var(--faint)\">" + text + "</text>\n";
+  return "<text x=\"" + base::Number("%.1f", x) + "\" y=\"" + base::Number("%.1f", y) +
+         "\" text-anchor=\"" + anchor + "\" font-size=\"11\" fill=\"var(--faint)\">" + text +
+         "</text>\n";
 }
 
 std::string Grid(const Axes& axes) {
@@ -44,17 +46,18 @@ std::string Grid(const Axes& axes) {
   for (int i = 0; i <= 4; ++i) {
     const double x = axes.X(i / 4.0);
     svg += Line(x, kTop, x, kHeight - kBottom, "var(--rule)");
-    svg += Words(x, kHeight - kBottom + 14, "middle", Number("%.0f %%", 25.0 * i));
+    svg += Words(x, kHeight - kBottom + 14, "middle", base::Number("%.0f %%", 25.0 * i));
   }
   const int steps = std::max(1, static_cast<int>(std::lround(axes.most_risk * 10)));
   for (int i = 0; i <= steps; ++i) {
     const double y = axes.Y(i / 10.0);
     svg += Line(kLeft, y, kWidth - kRight, y, "var(--rule)");
-    svg += Words(kLeft - 6, y + 4, "end", Number("%.0f %%", 10.0 * i));
+    svg += Words(kLeft - 6, y + 4, "end", base::Number("%.0f %%", 10.0 * i));
   }
   return svg +
          Words((kLeft + kWidth - kRight) / 2.0, kHeight - 6, "middle", "attempted of all scenes") +
-         "<text transform=\"translate(11," + Number("%.0f", (kTop + kHeight - kBottom) / 2.0) +
+         "<text transform=\"translate(11," +
+         base::Number("%.0f", (kTop + kHeight - kBottom) / 2.0) +
          ") rotate(-90)\" text-anchor=\"middle\" font-size=\"11\" fill=\"var(--faint)\">failed of "
          "these</text>\n";
 }
@@ -62,9 +65,9 @@ std::string Grid(const Axes& axes) {
 std::string Steps(const Axes& axes, const std::vector<model::ThresholdEffect>& curve) {
   std::string points;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const std::string x = Number("%.1f,", axes.X(curve[i].coverage));
-    if (i > 0) points += x + Number("%.1f ", axes.Y(curve[i - 1].risk));
-    points += x + Number("%.1f ", axes.Y(curve[i].risk));
+    const std::string x = base::Number("%.1f,", axes.X(curve[i].coverage));
+    if (i > 0) points += x + base::Number("%.1f ", axes.Y(curve[i - 1].risk));
+    points += x + base::Number("%.1f ", axes.Y(curve[i].risk));
   }
   return "<polyline fill=\"none\" stroke=\"var(--bar)\" stroke-width=\"2\" points=\"" + points +
          "\"></polyline>\n";
@@ -78,13 +81,13 @@ std::string Mark(const Axes& axes, const std::vector<model::ThresholdEffect>& cu
     if (effect.threshold >= threshold) at = &effect;
   }
   if (at == nullptr) return "";
-  return "<circle cx=\"" + Number("%.1f", axes.X(at->coverage)) + "\" cy=\"" +
-         Number("%.1f", axes.Y(at->risk)) + "\" r=\"5\" fill=\"var(--bad)\"></circle>\n";
+  return "<circle cx=\"" + base::Number("%.1f", axes.X(at->coverage)) + "\" cy=\"" +
+         base::Number("%.1f", axes.Y(at->risk)) + "\" r=\"5\" fill=\"var(--bad)\"></circle>\n";
 }
 
 }  // namespace
 
-std::string RiskChart(const services::RefusalTerms& terms, double threshold) {
+std::string RiskChart(const agent::RefusalTerms& terms, double threshold) {
   if (terms.curve.size() < 2) return "";
   const Axes axes = AxesFor(terms.curve);
   return "<svg width=\"" + std::to_string(kWidth) + "\" height=\"" + std::to_string(kHeight) +

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/number.h"
+#include "base/number_format.h"
 #include "report/page.h"
 #include "report/plot.h"
 #include "report/png.h"
@@ -34,8 +34,8 @@ Axis RateAxis(const json& rows, const Axis& workers) {
 }
 
 void DrawGrid(Plot* plot, const Axis& rate, const json& rows) {
-  for (double y = rate.low; y <= rate.high; y *= 2) plot->TickY(y, Number("%.0f", y));
-  for (const json& row : rows) plot->TickX(Workers(row), Number("%.0f", Workers(row)));
+  for (double y = rate.low; y <= rate.high; y *= 2) plot->TickY(y, base::Number("%.0f", y));
+  for (const json& row : rows) plot->TickX(Workers(row), base::Number("%.0f", Workers(row)));
   plot->Frame();
   plot->NameX("planner workers");
   plot->NameY("rollouts a second");
@@ -47,7 +47,7 @@ void DrawPoints(Plot* plot, Canvas* canvas, const json& rows) {
     if (before != nullptr)
       plot->Line(Workers(*before), Rate(*before), Workers(row), Rate(row), kMark, 2);
     plot->Dot(Workers(row), Rate(row), 4, kMark);
-    const std::string batch = Number("batch %.1f", row.at("mean_batch").get<double>());
+    const std::string batch = base::Number("batch %.1f", row.at("mean_batch").get<double>());
     canvas->Text(plot->X(Workers(row)) + 8, plot->Y(Rate(row)) + 8, batch, kBatchStyle);
     before = &row;
   }

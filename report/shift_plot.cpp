@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "report/number.h"
+#include "base/number_format.h"
 #include "report/page.h"
 #include "report/plot.h"
 #include "report/png.h"
@@ -49,7 +49,7 @@ void DrawBar(Canvas* canvas, int x, int y, const json& point) {
   canvas->Centered(middle, y + kHigh + 4,
                    shifted ? std::to_string(point.at("strength").get<int>()) : "-", kTickStyle);
   if (shifted)
-    canvas->Centered(middle, y + kHigh + 20, Number("%g", point.at("amount").get<double>()),
+    canvas->Centered(middle, y + kHigh + 20, base::Number("%g", point.at("amount").get<double>()),
                      kTickStyle);
 }
 

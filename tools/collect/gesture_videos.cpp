@@ -11,9 +11,10 @@
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/seconds_since.h"
+#include "base/sensor_noise.h"
 #include "report/video_reader.h"
 #include "report/video_writer.h"
-#include "sim/sensor_noise.h"
 #include "sim/suturing/suturing_task.h"
 #include "tools/collect/collector.h"
 #include "tools/collect/gesture_trial.h"
@@ -191,8 +192,8 @@ class TrialMaker {
       sim::Image image = i == 0 ? task_.Render(options_.width, options_.height)
                                 : task_.RenderRightEye(options_.width, options_.height);
       const std::uint64_t noise = i == 0 ? seed_ : seed_ ^ kRightEyeNoise;
-      sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), noise, frame - 1,
-                          options_.image_noise);
+      base::AddSensorNoise(image.rgb.data(), image.rgb.size(), noise, frame - 1,
+                           options_.image_noise);
       videos_[i]->Add(image);
     }
   }
@@ -270,8 +271,7 @@ GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
   base::WriteFile(places.meta(), MetaText(options.trials));
   fs::remove_all(places.unfinished());
-  summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/random.h"
 #include "report/contact_sheet.h"
-#include "sim/random.h"
 #include "tools/dataset/action_table.h"
 
 namespace prospect::tools {
@@ -28,7 +28,7 @@ std::vector<int> KeyFrames(const model::Trial& trial) {
 std::vector<std::size_t> DrawTrials(std::size_t count, std::size_t rows, std::uint64_t seed) {
   std::vector<std::size_t> all(count);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  sim::Random random(seed);
+  base::Random random(seed);
   const std::size_t chosen = std::min(rows, count);
   for (std::size_t i = 0; i < chosen; ++i) {
     std::swap(all[i], all[i + static_cast<std::size_t>(random.Below(static_cast<int>(count - i)))]);

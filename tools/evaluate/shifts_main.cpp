@@ -34,7 +34,7 @@ struct Options {
 
 void AddOptions(CLI::App* app, Options* o) {
   SweepOptions& sweep = o->sweep;
-  app->add_flag("--shifts", "This program: shifted pictures instead of closed loops");
+  app->add_flag("--shifts")->description("This program: shifted pictures instead of closed loops");
   app->add_option("--task", sweep.task, "Task")->capture_default_str();
   app->add_option("--weights", sweep.weights, "Weights file")->required();
   app->add_option("--factors", o->factors, "Which of light, camera, colour, noise")

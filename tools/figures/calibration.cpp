@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "report/number.h"
+#include "base/number_format.h"
 #include "report/plot.h"
 #include "tools/common/interval.h"
 
@@ -40,8 +40,8 @@ const char* const kRows[] = {"states that were seen", "after one transform",
 
 void DrawAxes(Plot* plot) {
   for (int i = 0; i <= 5; ++i) {
-    plot->TickX(i / 5.0, Number("%.1f", i / 5.0));
-    plot->TickY(i / 5.0, Number("%.1f", i / 5.0));
+    plot->TickX(i / 5.0, base::Number("%.1f", i / 5.0));
+    plot->TickY(i / 5.0, base::Number("%.1f", i / 5.0));
   }
   plot->Line(0, 0, 1, 1, kRule, 2);
   plot->Frame();
@@ -93,12 +93,12 @@ void DrawPanel(Canvas* sheet, int x, int y, const model::Judgements& judgements)
   const int below = bottom + 4;
   const double base = model::BaseRate(judgements);
   sheet->Centered(plot.X(0.5), below,
-                  "Brier " + Number("%.3f", model::BrierScore(judgements)) +
-                      Number(" (base rate %.2f", base) + Number(": %.3f)", base * (1 - base)),
+                  "Brier " + base::Number("%.3f", model::BrierScore(judgements)) +
+                      base::Number(" (base rate %.2f", base) + base::Number(": %.3f)", base * (1 - base)),
                   {0.4, kInk, false});
   sheet->Centered(plot.X(0.5), below + 18,
                   std::to_string(judgements.size()) + " judgements, calibration error " +
-                      Number("%.3f", CalibrationError(bins)),
+                      base::Number("%.3f", CalibrationError(bins)),
                   {0.4, kInk, false});
 }
 

@@ -1,6 +1,6 @@
 #include "tools/figures/cells.h"
 
-#include "report/number.h"
+#include "base/number_format.h"
 
 namespace prospect::figures {
 
@@ -22,9 +22,9 @@ std::vector<Cell> CellsOf(const TaskTable& table, const planner::Path& path,
     const planner::Evaluation& state = states[k];
     Cell cell{std::to_string(k + 1) + ". " + table.Name(path[k]),
               pictures[k],
-              {Number("V %.2f", state.value)},
+              {base::Number("V %.2f", state.value)},
               false};
-    if (state.done < kSureDone) cell.below.push_back(Number("f %.2f", state.done));
+    if (state.done < kSureDone) cell.below.push_back(base::Number("f %.2f", state.done));
     cell.bad = state.done < parameters.c_done || state.value < parameters.v_failed;
     cells.push_back(std::move(cell));
   }
@@ -36,20 +36,20 @@ std::string WhyRejected(planner::Rejection rejection, int step, const planner::E
   const std::string where = "step " + std::to_string(step);
   switch (rejection) {
     case planner::Rejection::kNotDone:
-      return where + " would not finish: f " + Number("%.2f", last.done) +
-             Number(" < %.2f", parameters.c_done);
+      return where + " would not finish: f " + base::Number("%.2f", last.done) +
+             base::Number(" < %.2f", parameters.c_done);
     case planner::Rejection::kLowValue:
-      return "V fell at " + where + ": " + Number("%.2f", last.value) +
-             Number(" < %.2f", parameters.v_failed);
+      return "V fell at " + where + ": " + base::Number("%.2f", last.value) +
+             base::Number(" < %.2f", parameters.v_failed);
     case planner::Rejection::kLowScore:
-      return "too unlikely to succeed: score " + Number("%.2f", score) +
-             Number(" < %.2f", parameters.refusal_threshold);
+      return "too unlikely to succeed: score " + base::Number("%.2f", score) +
+             base::Number(" < %.2f", parameters.refusal_threshold);
     case planner::Rejection::kNotPermitted:
-      return where + Number(" cannot follow: p < %.2f", parameters.p_min);
+      return where + base::Number(" cannot follow: p < %.2f", parameters.p_min);
     case planner::Rejection::kNone:
       break;
   }
-  return Number("score %.2f", score);
+  return base::Number("score %.2f", score);
 }
 
 }  // namespace prospect::figures

@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
+#include "base/random.h"
 #include "report/heat_map.h"
 #include "report/image_edit.h"
-#include "report/number.h"
-#include "sim/random.h"
+#include "base/number_format.h"
 #include "tools/figures/imagined.h"
 
 namespace prospect::figures {
@@ -60,8 +60,8 @@ Example ExampleOf(const Chain& chain, const TaskTable& table, const LoadedModel&
 
 std::string Errors(const Example& example, std::size_t step) {
   const Example::Step& s = example.steps[step];
-  return "MAE " + Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) + "; seen " +
-         Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
+  return "MAE " + base::Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) + "; seen " +
+         base::Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
 }
 
 /// Returns the y below.
@@ -97,7 +97,7 @@ std::vector<Chain> DrawnChains(const HeldOut& held_out, int count, std::uint64_t
   std::map<int, int> used;  // how often each first action was chosen
   std::set<std::pair<std::size_t, std::size_t>> taken;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
-  sim::Random random(seed);
+  base::Random random(seed);
   for (int turn = 0; turn < kMostTurns && static_cast<int>(chains.size()) < count; ++turn) {
     const std::size_t k = order[static_cast<std::size_t>(turn) % order.size()];
     SeenTrial trial = held_out.Read(k);
@@ -155,7 +155,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
     const sim::Image again = own.paint(picture, h, {h}).front();
     sheet.Picture(x, y, picture, factor);
     sheet.Picture(x, y + height + 4, again, factor);
-    sheet.Text(x, y + 2 * height + 7, "MAE " + Number("%.4f", MeanAbsoluteError(picture, again)),
+    sheet.Text(x, y + 2 * height + 7, "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, again)),
                kSmallStyle);
     x += width + kGap;
   }
@@ -166,7 +166,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
 }
 
 std::vector<sim::Image> DrawnPictures(const HeldOut& held_out, int count, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   std::vector<sim::Image> pictures;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
   for (int i = 0; i < count; ++i) {

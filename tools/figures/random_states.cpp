@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/random.h"
 #include "report/heat_map.h"
-#include "sim/random.h"
 #include "tools/figures/imagined.h"
 
 namespace prospect::figures {
@@ -16,7 +16,7 @@ constexpr int kColumns = 7, kTransforms = 200;
 constexpr int kColumn = kSide + 14, kLabel = 110, kScale = 64;
 
 model::Hidden DrawState(int size, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   model::Hidden state(static_cast<std::size_t>(size));
   for (float& value : state) value = static_cast<float>(random.Uniform());
   return state;
@@ -57,7 +57,7 @@ Page DrawRandomStates(const TaskTable& table, const LoadedModel& loaded, const s
   std::vector<ValueGrid> means;
   for (int i = 0; i < kColumns; ++i) {
     columns.push_back(
-        MakeColumn(table, loaded, scene, sim::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
+        MakeColumn(table, loaded, scene, base::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
     means.push_back(columns.back().mean_before);
     means.push_back(columns.back().mean_after);
   }

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "report/heat_map.h"
-#include "report/number.h"
+#include "base/number_format.h"
 #include "tools/evaluate/engine_model.h"
 #include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"
@@ -64,7 +64,7 @@ std::string RuledOut(const SearchStory& story, const TaskTable& table) {
   for (const planner::Future& future : story.plan.rejected) {
     if (future.rejection != planner::Rejection::kNotPermitted || future.path.size() != 1) continue;
     names += (names.empty() ? "" : ", ") + table.Name(future.path.front()) +
-             Number(" (p %.3f)", future.steps.back().prior);
+             base::Number(" (p %.3f)", future.steps.back().prior);
   }
   return names;
 }

@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <set>
 
+#include "base/text.h"
 #include "model/training/variants.h"
 #include "report/heat_map.h"
 #include "report/image_edit.h"
-#include "report/number.h"
+#include "base/number_format.h"
 #include "tools/figures/imagined.h"
 
 namespace prospect::figures {
@@ -55,7 +56,7 @@ void DrawPrediction(Canvas* sheet, int x, int y, const sim::Image& picture,
                     const sim::Image& truth) {
   sheet->Picture(x, y, picture, FactorFor(std::max(picture.width, picture.height)));
   sheet->Centered(x + kSide / 2, y + kSide + 3,
-                  "MAE " + Number("%.4f", MeanAbsoluteError(picture, truth)), kSmallStyle);
+                  "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, truth)), kSmallStyle);
 }
 
 // What was seen and what is true. Returns the x of the first prediction.
@@ -122,12 +123,6 @@ int DrawExample(Canvas* sheet, int x, int y, const Chain& chain,
   return top + 2 * kRow + 12;
 }
 
-std::string Listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string Caption(const VariantSet& variants) {
   std::string caption =
       "Held-out examples, two rows each. x: what the camera saw when the first action began. "
@@ -135,7 +130,7 @@ std::string Caption(const VariantSet& variants) {
       "imagines from x, as it is decoded, in the light of the trial's first picture: above after "
       "the first action (x1), below after both (x2), and under it the mean absolute error against "
       "the truth, as a share of full range.";
-  if (!variants.absent.empty()) caption += " Not trained: " + Listed(variants.absent) + ".";
+  if (!variants.absent.empty()) caption += " Not trained: " + base::Joined(variants.absent) + ".";
   return caption;
 }
 

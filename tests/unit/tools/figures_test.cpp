@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/sensor_noise.h"
 #include "model/scripted_engine.h"
-#include "sim/sensor_noise.h"
 #include "sim/stacking/action_table.h"
 #include "tests/unit/model/made_trial.h"
 #include "tests/unit/model/test_folder.h"
@@ -65,7 +65,7 @@ TEST(HeldOut, ReadsTestTrialsOnlyWithTheCamerasNoise) {
   std::vector<std::uint8_t> pixels(trials[1].frame(frame),
                                    trials[1].frame(frame) + trials[1].frame_bytes());
   EXPECT_EQ(trial.clean[slot].rgb, pixels);
-  sim::AddSensorNoise(pixels.data(), pixels.size(), test[1], frame, 0.05);
+  base::AddSensorNoise(pixels.data(), pixels.size(), test[1], frame, 0.05);
   EXPECT_EQ(trial.seen[slot].rgb, pixels);
   EXPECT_NE(trial.seen[slot].rgb, trial.clean[slot].rgb);
 }
