@@ -1,21 +1,10 @@
 #include "agent/confidence.h"
 
-#include <cstdio>
-
 #include "agent/plan_context.h"
+#include "base/number_format.h"
 #include "model/refusal/isotonic.h"
 
 namespace prospect::agent {
-namespace {
-
-std::string Text(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-}  // namespace
-
 std::optional<Confidence> ConfidenceOf(const model::CalibrationSample& sample, double score,
                                        double threshold) {
   model::CalibrationSample attempted;
@@ -43,10 +32,10 @@ RefusalTerms TermsOf(const model::CalibrationSample& sample, const std::string& 
 }
 
 std::string SuccessSentence(const Confidence& confidence) {
-  return "Succeeds in about " + Text("%.0f %%", 100 * confidence.share()) + ": of " +
+  return "Succeeds in about " + base::Number("%.0f %%", 100 * confidence.share()) + ": of " +
          std::to_string(confidence.scenes) + " calibration scenes whose plan scored " +
-         Text("%.3f", confidence.low) + " to " + Text("%.3f", confidence.high) + ", " +
-         std::to_string(confidence.solved) + " were solved.";
+         base::Number("%.3f", confidence.low) + " to " + base::Number("%.3f", confidence.high) +
+         ", " + std::to_string(confidence.solved) + " were solved.";
 }
 
 std::vector<std::string> ConfidenceSentences(const std::optional<Confidence>& confidence,

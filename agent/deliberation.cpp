@@ -11,8 +11,8 @@
 #include "agent/phase_clock.h"
 #include "agent/refusal_reason.h"
 #include "agent/what_if.h"
+#include "base/number_format.h"
 #include "model/surprise.h"
-#include "planner/apart.h"
 
 namespace prospect::agent {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "agent/refusal_reason.h"
 #include "agent/why_lost.h"
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::agent {
 namespace {

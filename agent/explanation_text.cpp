@@ -2,12 +2,12 @@
 
 #include <cstdio>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::agent {
 namespace {
 
-using planner::Apart;
+using base::Apart;
 
 // With a capital and a full stop.
 std::string Sentence(std::string text) {

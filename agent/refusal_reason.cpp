@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 #include "planner/plan_reader.h"
 
 namespace prospect::agent {
 namespace {
 
-using planner::Apart;
+using base::Apart;
 using planner::Future;
 using planner::Plan;
 using planner::PlanStep;

@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "agent/why_lost.h"
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::agent {
 namespace {
 
-using planner::Apart;
+using base::Apart;
 using planner::Fixed;
 using planner::Future;
 using planner::Path;

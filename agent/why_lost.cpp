@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::agent {
 namespace {
 
-using planner::Apart;
-using planner::DigitsApart;
+using base::Apart;
+using base::DigitsApart;
 using planner::Fixed;
 using planner::Future;
 using planner::Plan;
@@ -155,8 +155,8 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
     case planner::Rejection::kNone:
       break;
   }
-  return "less likely to succeed (score " + planner::Apart(future.score, chosen_score) +
-         " against " + planner::Apart(chosen_score, future.score) + ")";
+  return "less likely to succeed (score " + base::Apart(future.score, chosen_score) + " against " +
+         base::Apart(chosen_score, future.score) + ")";
 }
 
 }  // namespace prospect::agent

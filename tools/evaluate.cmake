@@ -15,7 +15,7 @@ add_library(prospect_local_episode STATIC ${evaluate}/decider.cpp ${evaluate}/en
 prospect_target(prospect_local_episode)
 target_link_libraries(prospect_local_episode PUBLIC prospect_agent prospect_sim prospect_model prospect_crew_search)
 
-if(NOT TARGET prospect_training)
+if(NOT TARGET prospect_training OR NOT TARGET prospect_film)
   return()
 endif()
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/record_file.cpp ${evaluate}/shift_sweep.cpp
@@ -23,7 +23,7 @@ add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/r
   ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/scene_video.cpp)
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_local_episode prospect_training
-  prospect_tools_common prospect_torch_main prospect_view_lib)
+  prospect_tools_common prospect_torch_main prospect_film)
 add_executable(prospect-evaluate ${evaluate}/main.cpp)
 prospect_target(prospect-evaluate)
 target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_engine)

@@ -12,21 +12,22 @@
 #include "base/lock.h"
 #include "base/run_main.h"
 #include "planner/selection_rule.h"
+#include "report/episode_report.h"
+#include "report/episode_video.h"
+#include "report/explanation_page.h"
+#include "report/explanation_pictures.h"
+#include "report/plan_picture.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
 #include "services/executive/bus_episode.h"
 #include "services/executive/conversation.h"
-#include "services/executive/episode_video.h"
-#include "services/executive/explanation_page.h"
-#include "services/executive/explanation_pictures.h"
 #include "services/executive/options.h"
-#include "services/executive/plan_picture.h"
 #include "services/executive/policy.h"
-#include "services/executive/report.h"
 
 namespace {
 
 using namespace prospect;
+using namespace prospect::report;
 using namespace prospect::services;
 using prospect::agent::EpisodeRecord;
 

@@ -10,7 +10,7 @@
 
 #include "agent/episode.h"
 #include "model/novelty.h"
-#include "services/executive/report.h"
+#include "report/episode_report.h"
 #include "sim/task_factory.h"
 #include "tests/integration/support/deployment.h"
 #include "tools/evaluate/decider.h"
