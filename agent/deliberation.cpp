@@ -34,10 +34,10 @@ planner::Disbelief DisbeliefOf(const EpisodeOptions& options) {
 
 // `surprise`: of what is seen now.
 std::string WhyAnew(const NextStep& next, double surprise) {
-  if (next.surprise == 0) return "going on scored " + planner::Fixed(next.going_on, kDigits);
+  if (next.surprise == 0) return "going on scored " + base::Fixed(next.going_on, kDigits);
   const std::string differs =
       next.surprise > surprise ? "an earlier picture differed" : "the picture differs";
-  return "a patch of " + differs + " by " + planner::Fixed(next.surprise, kDigits) +
+  return "a patch of " + differs + " by " + base::Fixed(next.surprise, kDigits) +
          " from what was imagined";
 }
 

@@ -12,7 +12,7 @@
 namespace prospect::agent {
 namespace {
 
-using planner::Fixed;
+using base::Fixed;
 using planner::Future;
 using planner::Path;
 using planner::Plan;

@@ -10,7 +10,7 @@ namespace prospect::agent {
 namespace {
 
 using base::Apart;
-using planner::Fixed;
+using base::Fixed;
 using planner::Future;
 using planner::Path;
 using planner::Plan;

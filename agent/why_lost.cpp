@@ -9,7 +9,7 @@ namespace {
 
 using base::Apart;
 using base::DigitsApart;
-using planner::Fixed;
+using base::Fixed;
 using planner::Future;
 using planner::Plan;
 using planner::PlanStep;
@@ -145,13 +145,13 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
   const planner::PlanStep last = future.steps.empty() ? planner::PlanStep{} : future.steps.back();
   switch (future.rejection) {
     case planner::Rejection::kNotPermitted:
-      return "ruled out from the start (p " + planner::Fixed(last.prior, 3) + ")";
+      return "ruled out from the start (p " + base::Fixed(last.prior, 3) + ")";
     case planner::Rejection::kNotDone:
-      return "would not finish (f " + planner::Fixed(last.done, 2) + ")";
+      return "would not finish (f " + base::Fixed(last.done, 2) + ")";
     case planner::Rejection::kLowValue:
-      return "leads to failure (V " + planner::Fixed(last.value, 2) + ")";
+      return "leads to failure (V " + base::Fixed(last.value, 2) + ")";
     case planner::Rejection::kLowScore:
-      return "too unlikely to succeed (score " + planner::Fixed(future.score, 2) + ")";
+      return "too unlikely to succeed (score " + base::Fixed(future.score, 2) + ")";
     case planner::Rejection::kNone:
       break;
   }

@@ -11,7 +11,6 @@
 #include "agent/what_if.h"
 #include "agent/why_lost.h"
 #include "base/number_format.h"
-#include "planner/apart.h"
 
 namespace prospect::agent {
 namespace {
