@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
@@ -52,7 +54,7 @@ class Here {
     decider_->mind->Enter(*task_, seed);
     agent::Listener nobody;
     agent::Episode episode(world, decider_->mind.get(), decider_->options, nobody);
-    return json::parse(services::ResultJson(episode.Run(), 0));
+    return json::parse(report::ResultJson(episode.Run(), 0));
   }
 
  private:
@@ -115,8 +117,8 @@ std::string WithoutNumbers(const json& text) {
 }
 
 void ExpectSame(const json& there, const json& here, int seed) {
-  for (const char* key : {"task", "world_version", "seed", "objects", "plan_length", "outcome",
-                          "actions"})
+  for (const char* key :
+       {"task", "world_version", "seed", "objects", "plan_length", "outcome", "actions"})
     EXPECT_EQ(there.at(key), here.at(key)) << seed << " " << key;
   EXPECT_EQ(WithoutNumbers(there.at("reason")), WithoutNumbers(here.at("reason"))) << seed;
   ASSERT_EQ(there.at("searches").size(), here.at("searches").size()) << seed;
