@@ -1,8 +1,6 @@
 #include "agent/deliberation.h"
 
 #include <algorithm>
-#include <cinttypes>
-#include <cstdio>
 #include <set>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "agent/phase_clock.h"
 #include "agent/refusal_reason.h"
 #include "agent/what_if.h"
+#include "base/hash.h"
 #include "base/number_format.h"
 #include "model/surprise.h"
 
@@ -21,12 +20,6 @@ using planner::NextStep;
 
 // Enough for one of each first action to be among them.
 constexpr int kListedFutures = 4096;
-
-std::string HexText(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, value);
-  return text;
-}
 
 planner::Disbelief DisbeliefOf(const EpisodeOptions& options) {
   return {options.surprise, std::max(options.surprise, model::kAlarming)};
@@ -56,7 +49,7 @@ SearchRecord RecordOf(const SearchAnswer& answer, const SearchQuestion& question
   record.requested = answer.requested;
   record.workers = answer.workers;
   record.converged = answer.converged;
-  record.table = HexText(answer.table);
+  record.table = base::HexText(answer.table);
   record.seconds = answer.seconds;
   record.search_id = answer.search_id;
   record.epoch = answer.epoch;
