@@ -1,6 +1,7 @@
 #include "services/executive/bus_mind.h"
 #include "base/hash.h"
 
+#include "base/hash.h"
 #include "services/binding/search_messages.h"
 #include "services/executive/preparation.h"
 
