@@ -5,14 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include "base/seconds_since.h"
+
 namespace prospect::services {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point begun) {
-  return std::chrono::duration<double>(Clock::now() - begun).count();
-}
 
 // Sizes of batch i such that the mean over batches is `mean`.
 int SizeOf(std::int64_t batch, double mean) {
@@ -26,7 +24,7 @@ double Run(model::Engine& engine, const model::Hidden& root,
            const std::vector<model::Prediction>& states, double mean, double seconds) {
   std::int64_t rows = 0, batches = 0;
   const auto begun = Clock::now();
-  while (SecondsSince(begun) < seconds) {
+  while (base::SecondsSince(begun) < seconds) {
     std::vector<model::ExpandInput> inputs;
     for (int i = SizeOf(batches, mean); i > 0; --i, ++rows) {
       const auto& from = states[static_cast<std::size_t>(rows) % states.size()];
@@ -36,7 +34,7 @@ double Run(model::Engine& engine, const model::Hidden& root,
     engine.Expand(inputs);
     ++batches;
   }
-  return static_cast<double>(rows) / SecondsSince(begun);
+  return static_cast<double>(rows) / base::SecondsSince(begun);
 }
 
 }  // namespace

@@ -45,29 +45,17 @@ class Places {
   explicit Places(const std::string& out) : root_(fs::path(out) / kFolder) {}
 
   fs::path root() const { return root_; }
-  fs::path unfinished() const { return root_ / ".unfinished"; }
   fs::path manifest() const { return root_ / "simulated.json"; }
   fs::path meta() const { return root_ / "meta_file_Suturing.txt"; }
   fs::path readme() const { return root_.parent_path() / "README.txt"; }
   fs::path video(const std::string& trial, int eye) const {
-    return root_ / "video" / VideoName(trial, eye);
+    return root_ / "video" / ("Suturing_" + trial + "_capture" + std::to_string(eye) + ".avi");
   }
   fs::path transcription(const std::string& trial) const {
-    return root_ / "transcriptions" / TextName(trial);
-  }
-  fs::path unfinished_video(const std::string& trial, int eye) const {
-    return unfinished() / VideoName(trial, eye);
-  }
-  fs::path unfinished_text(const std::string& trial) const {
-    return unfinished() / TextName(trial);
+    return root_ / "transcriptions" / ("Suturing_" + trial + ".txt");
   }
 
  private:
-  static std::string VideoName(const std::string& trial, int eye) {
-    return "Suturing_" + trial + "_capture" + std::to_string(eye) + ".avi";
-  }
-  static std::string TextName(const std::string& trial) { return "Suturing_" + trial + ".txt"; }
-
   fs::path root_;
 };
 
@@ -135,8 +123,7 @@ void Prepare(const GestureVideoOptions& options, const Places& places) {
                             "--out");
   }
   std::error_code error;
-  for (const fs::path& folder :
-       {places.unfinished(), places.root() / "video", places.root() / "transcriptions"}) {
+  for (const fs::path& folder : {places.root() / "video", places.root() / "transcriptions"}) {
     fs::create_directories(folder, error);
     if (error) throw std::runtime_error("cannot write to " + folder.string());
   }
@@ -171,20 +158,16 @@ class TrialMaker {
     videos_.clear();
     for (int eye = 1; eye <= (options_.right_eye ? 2 : 1); ++eye) {
       videos_.push_back(std::make_unique<report::VideoWriter>(
-          places_.unfinished_video(name_, eye).string(), options_.frames_per_second, options_.width,
+          places_.video(name_, eye).string(), options_.frames_per_second, options_.width,
           options_.height, report::VideoFormat::kMotionJpeg));
     }
     return PlayGestureTrial(&task_, seed_, attempt, [this](int frame) { Film(frame); });
   }
 
+  // The transcription last: a trial that has one is whole.
   void GiveNames(const GestureTrial& trial) {
     for (const auto& video : videos_) video->Finish();
-    base::WriteFile(places_.unfinished_text(name_), TranscriptionText(trial));
-    for (std::size_t i = 0; i < videos_.size(); ++i) {
-      const int eye = static_cast<int>(i) + 1;
-      fs::rename(places_.unfinished_video(name_, eye), places_.video(name_, eye));
-    }
-    fs::rename(places_.unfinished_text(name_), places_.transcription(name_));
+    base::WriteFile(places_.transcription(name_), TranscriptionText(trial));
   }
 
   void Film(int frame) {
@@ -270,7 +253,6 @@ GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
       });
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
   base::WriteFile(places.meta(), MetaText(options.trials));
-  fs::remove_all(places.unfinished());
   summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }

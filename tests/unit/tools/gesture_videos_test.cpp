@@ -141,7 +141,6 @@ TEST_F(GestureVideosTest, WritesTheLayout) {
   const std::string meta = Text(Root(made_) / "meta_file_Suturing.txt");
   EXPECT_NE(meta.find("Suturing_B002\tSIMULATED\t"), std::string::npos);
   EXPECT_EQ(std::count(meta.begin(), meta.end(), '\n'), 2);
-  EXPECT_FALSE(fs::exists(Root(made_) / ".unfinished"));
 }
 
 TEST_F(GestureVideosTest, VideosHoldAllFramesOfTheirTranscriptions) {
