@@ -119,7 +119,7 @@ TEST_F(Authentic, TheSameCommandWithTheKeyMoves) {
 // A robot in another program, by examples/keyed.
 TEST_F(Authentic, TheExampleRobotObeysTheKeyAlone) {
   Witness witness;
-  Process robot("example-robot", {"--bus", witness.bus.url()},
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
                 MakeFolder("authentic_robot") + "/robot.log");
   ASSERT_TRUE(witness.Until([&] { return !witness.statuses.empty(); }, 10000));
   witness.episode_id = witness.statuses.back().episode_id;

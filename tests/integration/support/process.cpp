@@ -14,6 +14,12 @@
 namespace prospect::tests {
 namespace {
 
+std::string PathOf(const std::string& program) {
+  if (program.front() == '/') return program;
+  const bool in_bin = program.find('/') == std::string::npos;
+  return std::string(in_bin ? PROSPECT_BIN : PROSPECT_BUILD) + "/" + program;
+}
+
 [[noreturn]] void RunChild(const std::vector<std::string>& words, const std::string& log) {
   // The child must not outlive a test that was killed.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -31,8 +37,7 @@ namespace {
 
 Process::Process(const std::string& program, const std::vector<std::string>& arguments,
                  const std::string& log) {
-  const bool absolute = program.front() == '/';
-  std::vector<std::string> words{absolute ? program : std::string(PROSPECT_BIN) + "/" + program};
+  std::vector<std::string> words{PathOf(program)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("fork failed");
