@@ -2,7 +2,7 @@ if(NOT TARGET prospect_planner)
   return()
 endif()
 find_package(nlohmann_json 3 REQUIRED)
-add_executable(prospect-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench_search.cpp
+add_executable(prospect-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench/search_command.cpp
                               ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulated_arms.cpp
                               ${CMAKE_CURRENT_SOURCE_DIR}/bench/simulated_bus.cpp)
 prospect_target(prospect-bench)

@@ -10,6 +10,6 @@ add_library(prospect_tables STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/tables/scorer.cpp)
 prospect_target(prospect_tables)
 target_link_libraries(prospect_tables PUBLIC prospect_training prospect_tools_common)
-add_executable(prospect-tables ${CMAKE_CURRENT_SOURCE_DIR}/tables.cpp)
+add_executable(prospect-tables ${CMAKE_CURRENT_SOURCE_DIR}/tables/command.cpp)
 prospect_target(prospect-tables)
 target_link_libraries(prospect-tables PRIVATE prospect_tables prospect_tools_guarded CLI11::CLI11)
