@@ -2,7 +2,6 @@
 // scene and prints how often random orders fail and why, and how many scenes are solvable, hopeless
 // or doubtful. Results are cached.
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -11,7 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "base/json_file.h"
+#include "cli/command.h"
+#include "cli/commands/oracle.h"
+#include "cli/report_file.h"
 #include "sim/oracle_cache.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
@@ -21,41 +22,13 @@
 #include "tools/common/interval.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
-#include "tools/common/scene_options.h"
+#include "tools/common/world.h"
 
 namespace {
 
 using nlohmann::json;
 using namespace prospect;
-
-struct Options {
-  std::string task = "navigation";
-  int scenes = 100;
-  std::uint64_t seed = 1'000'000;
-  sim::TaskOptions world;
-  int jobs = 2;
-  std::string cache;
-  bool fresh = false;
-  std::string json_file;
-};
-
-void AddOptions(CLI::App* app, Options* options) {
-  app->add_option("--task", options->task, "The task")->capture_default_str();
-  app->add_option("--scenes", options->scenes, "Number of scenes")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  app->add_option("--seed", options->seed, "Seed of the first scene; scene i has seed + i")
-      ->capture_default_str();
-  tools::AddSceneOptions(app, &options->world);
-  app->add_option("--jobs", options->jobs, "Processes")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app->add_option(
-      "--cache", options->cache,
-      "Folder of cached results (default: $PROSPECT_DATA/oracle or ~/.cache/prospect/oracle)");
-  app->add_flag("--fresh", options->fresh, "Consult anew and write no cache");
-  app->add_option("--json", options->json_file, "Write the figures to this file, too");
-}
+using Options = cli::OracleOptions;
 
 // Takes pictures and throws them away.
 class Onlooker : public sim::FrameSink {
@@ -117,11 +90,12 @@ void Add(const json& scene, Totals* totals) {
 // random runs), solvable, hopeless, doubtful (count, share, low, high), oracle_success,
 // seconds_per_scene, times_real_time, times_real_time_camera, stopped, wanted (scenes).
 json Report(const Options& options, const Totals& totals, double seconds) {
+  const sim::TaskOptions world = tools::WorldOf(options.scene);
   json report = {{"task", options.task},
                  {"scenes", totals.scenes},
                  {"first_seed", options.seed},
-                 {"objects", options.world.objects},
-                 {"legs", options.world.legs},
+                 {"objects", world.objects},
+                 {"legs", world.legs},
                  {"random_failure_share", totals.failure_share / totals.scenes},
                  {"seconds_per_scene", seconds * options.jobs / totals.scenes}};
   for (const auto& [name, count] : totals.classes) {
@@ -134,7 +108,7 @@ json Report(const Options& options, const Totals& totals, double seconds) {
   json causes = json::object();
   for (const auto& [reason, sum] : totals.causes) causes[reason] = sum / totals.scenes;
   report["causes"] = causes;
-  const std::unique_ptr<sim::Task> task = sim::MakeTask(options.task, options.world);
+  const std::unique_ptr<sim::Task> task = sim::MakeTask(options.task, world);
   Onlooker onlooker;
   report["times_real_time"] = TimesRealTime(*task, options.seed, nullptr);
   report["times_real_time_camera"] = TimesRealTime(*task, options.seed, &onlooker);
@@ -165,10 +139,11 @@ void Print(const json& report) {
 }
 
 std::function<std::string(int)> MakeWorker(const Options& options) {
-  auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, options.world));
+  const sim::TaskOptions world = tools::WorldOf(options.scene);
+  auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, world));
   std::shared_ptr<sim::OracleCache> cache;
   if (!options.fresh) {
-    const sim::OracleKey key = sim::OracleKeyOf(*task, options.world.objects);
+    const sim::OracleKey key = sim::OracleKeyOf(*task, world.objects);
     cache = std::make_shared<sim::OracleCache>(key, options.cache);
   }
   const std::uint64_t seed = options.seed;
@@ -176,7 +151,8 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
 }
 
 int Run(const Options& options) {
-  sim::MakeTask(options.task, options.world);  // refuses bad options before any process starts
+  sim::MakeTask(options.task,
+                tools::WorldOf(options.scene));  // refuses bad options before any process starts
   Totals totals;
   tools::Progress progress("scenes", options.scenes);
   const auto start = std::chrono::steady_clock::now();
@@ -190,17 +166,18 @@ int Run(const Options& options) {
   if (totals.scenes == 0) throw tools::Interrupted(extent.Words("scenes"));
   json report = Report(options, totals, seconds.count());
   extent.Put(&report);
-  Print(report);
-  std::printf("%s", extent.Line("scenes").c_str());
-  if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, report);
+  if (options.report.talks()) {
+    Print(report);
+    std::printf("%s", extent.Line("scenes").c_str());
+  }
+  cli::WriteReport(options.report, report);
   return extent.exit_code();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("What can be achieved in the scenes of a task");
   Options options;
-  AddOptions(&app, &options);
-  return tools::RunProgram("prospect-oracle", &app, argc, argv, [&] { return Run(options); });
+  if (const auto end = cli::Parse("oracle", argc, argv, options)) return *end;
+  return tools::RunProgram("prospect-oracle", [&] { return Run(options); });
 }
