@@ -163,7 +163,7 @@ int Run(const Options& options) {
         progress.Step();
       });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (totals.scenes == 0) throw tools::Interrupted(extent.Words("scenes"));
+  if (totals.scenes == 0) throw Interrupted(extent.Words("scenes"));
   json report = Report(options, totals, seconds.count());
   extent.Put(&report);
   if (options.report.talks()) {
@@ -179,5 +179,5 @@ int Run(const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   if (const auto end = cli::Parse("oracle", argc, argv, options)) return *end;
-  return tools::RunProgram("prospect-oracle", [&] { return Run(options); });
+  return RunMain([&] { return Run(options); }, "prospect-oracle", kExitDisk);
 }
