@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <exception>
 #include <system_error>
+
+#include "planner/goal.h"
 
 namespace prospect::cli {
 namespace {
@@ -21,6 +24,46 @@ bool ParseReal(const std::string& text, double* value) {
 
 CLI::Validator Made(std::function<std::string(std::string&)> check, const std::string& allowed) {
   return CLI::Validator(std::move(check), allowed);
+}
+
+// Whether all of "0,2,1" are numbers of actions.
+bool IsPlan(const std::string& numbers) {
+  constexpr int kMostDigits = 3;
+  int digits = 0;
+  for (const char c : numbers + ',') {
+    if (c >= '0' && c <= '9' && digits < kMostDigits) {
+      ++digits;
+    } else if (c == ',' && digits > 0) {
+      digits = 0;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+// "align(green)", "move", "on(a,b)"; not what has a bracket too many or no name.
+bool IsActionName(const std::string& text) {
+  const std::size_t open = text.find('(');
+  const bool bare = open == std::string::npos && text.find(')') == std::string::npos;
+  const bool whole = open != std::string::npos && open > 0 && open + 2 < text.size() &&
+                     text.find_first_of("()", open + 1) == text.size() - 1 && text.back() == ')';
+  return !text.empty() && (bare || whole);
+}
+
+// Parts at commas outside brackets, without spaces around them.
+std::vector<std::string> Items(const std::string& text) {
+  std::vector<std::string> items(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth <= 0) {
+      items.emplace_back();
+    } else if (c != ' ') {
+      items.back() += c;
+    }
+  }
+  return items;
 }
 
 }  // namespace
@@ -62,6 +105,43 @@ CLI::Validator Share() {
         return "wants a share between 0 and 1, such as 0.05, not '" + text + "'";
       },
       "between 0 and 1");
+}
+
+CLI::Validator Goal() {
+  return Made(
+      [](std::string& text) -> std::string {
+        try {
+          planner::ParseGoal(text);
+          return "";
+        } catch (const std::exception& error) {
+          return error.what();
+        }
+      },
+      "");
+}
+
+CLI::Validator Policy() {
+  return Made(
+      [](std::string& text) -> std::string {
+        if (text == "search" || text == "collect" || text == "expert") return "";
+        if (!text.starts_with("plan:"))
+          return "unknown policy '" + text + "'; known: search, collect, expert, plan:A,B,...";
+        return IsPlan(text.substr(5)) ? "" : "give action indices, as in plan:0,2,1";
+      },
+      "");
+}
+
+CLI::Validator PlanOfNames() {
+  return Made(
+      [](std::string& text) -> std::string {
+        for (const std::string& item : Items(text)) {
+          if (IsActionName(item)) continue;
+          return "'" + text + "' is no plan: '" + item +
+                 "' is no name of an action; say align(green),grasp(green)";
+        }
+        return "";
+      },
+      "");
 }
 
 CLI::Validator OneOf(const std::vector<std::string>& words) {

@@ -23,6 +23,15 @@ CLI::Validator Real(double least, double most);
 /// A share between 0 and 1, such as 0.05, but neither of both.
 CLI::Validator Share();
 
+/// A goal that planner::ParseGoal reads; whether a task knows its names shows later.
+CLI::Validator Goal();
+
+/// search, collect, expert or plan:A,B,... (numbers of actions).
+CLI::Validator Policy();
+
+/// Names of actions, parted by commas: "align(green),grasp(green)".
+CLI::Validator PlanOfNames();
+
 /// One of these words.
 CLI::Validator OneOf(const std::vector<std::string>& words);
 

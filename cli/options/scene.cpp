@@ -4,7 +4,7 @@
 
 namespace prospect::cli {
 
-void DefineScene(CLI::App& app, SceneOptions& scene) {
+void DefineSceneSize(CLI::App& app, SceneOptions& scene) {
   app.add_option("--objects", scene.objects, "navigation: objects on the site")
       ->type_name("N")
       ->transform(Whole(4, 7))
@@ -17,9 +17,17 @@ void DefineScene(CLI::App& app, SceneOptions& scene) {
       ->type_name("N")
       ->transform(Whole(2, 4))
       ->default_str("2");
+}
+
+void DefineSceneFile(CLI::App& app, SceneOptions& scene) {
   app.add_option("--scene-file", scene.scene_file,
                  "stacking: a scene of one's own, like config/scenes/stacking.yaml")
       ->type_name("FILE");
+}
+
+void DefineScene(CLI::App& app, SceneOptions& scene) {
+  DefineSceneSize(app, scene);
+  DefineSceneFile(app, scene);
 }
 
 std::string SceneDefect(const SceneOptions& scene, const std::string& task) {

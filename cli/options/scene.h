@@ -14,7 +14,13 @@ struct SceneOptions {
   std::string scene_file;  ///< stacking: a scene of one's own
 };
 
-/// Adds --objects, --legs, --tower and --scene-file.
+/// Adds --objects, --legs and --tower.
+void DefineSceneSize(CLI::App& app, SceneOptions& scene);
+
+/// Adds --scene-file.
+void DefineSceneFile(CLI::App& app, SceneOptions& scene);
+
+/// Adds all four.
 void DefineScene(CLI::App& app, SceneOptions& scene);
 
 /// Options that are not this task's; empty: none is.
