@@ -51,7 +51,7 @@ int Tell(const CLI::App& app, const std::string& what) {
 
 void SetUp(CLI::App& app, std::string_view command) {
   const Command* entry = FindCommand(command);
-  app.name("./prospect " + std::string(command));
+  app.name((entry != nullptr ? "./prospect " : "") + std::string(command));
   if (entry != nullptr) app.description(entry->summary);
   app.set_help_flag("-h,--help", "these lines");
   app.option_defaults()->always_capture_default(false);

@@ -27,15 +27,15 @@ Prospect: looks at a scene, imagines what its actions would do, and acts on the 
   ./prospect train                train the networks
   ./prospect tables               pictures and labels after one and two actions, of trained variants: the paper's two tables
   ./prospect figures              pictures of what the networks keep, imagine and judge, and their calibration curves
-  ./prospect evaluate             closed loop on scenes that were never trained on; --plans: which plans work;
-                                  --splits N: whether the promises about refusals hold
+  ./prospect evaluate             closed loop on scenes that were never trained on; evaluate plans: which plans work; shifts: pictures
+                                  unlike the known ones; calibrate, novelty: stored with the weights; refusals: whether promises hold
   ./prospect verify [--full]      measures the figures of docs/results.md for the bundled weights again, on fewer scenes or on all
   ./prospect oracle               what a world's scenes allow, by trying every plan
   ./prospect ceiling              how well what V, f and T are asked can be known at all, by carrying moments of test trials out again
   ./prospect takes                how far two takes of one action differ: the floor of a prediction's error
   ./prospect view                 a picture of a scene, at any size and from any camera
   ./prospect rebuild bus LOG      evaluations and rows of each search, from a recording; journal FILE: a worker's choices
-  ./prospect bench search         rollouts/s, batches, decisions, bytes with 1 to 16 workers; --simulated: without a bus
+  ./prospect bench search         rollouts/s, batches, decisions, bytes with 1 to 16 workers; bench simulated: without a bus
   ./prospect bench overhead       what a rollout costs
   ./prospect bench sim            how fast the worlds run on one core, and where the time goes
   ./prospect bench picks          picks and places in free space, without and with execution noise

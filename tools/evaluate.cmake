@@ -16,9 +16,3 @@ add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/d
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_training prospect_planner prospect_crew_search
   prospect_tools_common prospect_torch_main prospect_view_lib)
-add_executable(prospect-evaluate ${evaluate}/run_command.cpp)
-prospect_target(prospect-evaluate)
-target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_engine)
-add_executable(prospect-evaluate-plans ${evaluate}/plans_command.cpp)
-prospect_target(prospect-evaluate-plans)
-target_link_libraries(prospect-evaluate-plans PRIVATE prospect_evaluate_lib prospect_engine)

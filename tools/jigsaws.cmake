@@ -2,13 +2,9 @@
 if(NOT OpenCV_FOUND OR NOT TARGET prospect_dataset)
   return()
 endif()
-find_package(CLI11 REQUIRED)
 set(jigsaws ${CMAKE_CURRENT_SOURCE_DIR}/jigsaws)
 add_library(prospect_jigsaws STATIC ${jigsaws}/converter.cpp ${jigsaws}/video_frames.cpp)
 prospect_target(prospect_jigsaws)
 target_include_directories(prospect_jigsaws SYSTEM PRIVATE ${OpenCV_INCLUDE_DIRS})
 target_link_libraries(prospect_jigsaws PUBLIC prospect_dataset prospect_tools_common
   PRIVATE opencv_core opencv_imgproc opencv_videoio)
-add_executable(prospect-jigsaws ${jigsaws}/command.cpp)
-prospect_target(prospect-jigsaws)
-target_link_libraries(prospect-jigsaws PRIVATE prospect_jigsaws CLI11::CLI11)

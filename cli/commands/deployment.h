@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/fwd.h"
 #include "cli/options/episode.h"
 #include "cli/options/start.h"
 #include "cli/options/task.h"

@@ -19,9 +19,8 @@ void Define(CLI::App& app, OracleOptions& options) {
       ->type_name("N")
       ->transform(Whole(1, 256))
       ->capture_default_str();
-  app.add_option(
-         "--cache", options.cache,
-         "folder of cached results (default $PROSPECT_DATA/oracle or ~/.cache/prospect/oracle)")
+  app.add_option("--cache", options.cache, "folder of cached results")
+      ->default_str("$PROSPECT_DATA/oracle or ~/.cache/prospect/oracle")
       ->type_name("DIR");
   app.add_flag("--fresh", options.fresh, "consult anew and write no cache");
   DefineReport(app, options.report);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "cli/fwd.h"
 #include "cli/options/report.h"
 #include "cli/options/scene.h"
 #include "cli/options/task.h"

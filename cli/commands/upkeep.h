@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "cli/fwd.h"
 #include "cli/options/bus.h"
 #include "cli/options/report.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "cli/fwd.h"
 #include "cli/options/bus.h"
 #include "cli/options/report.h"
 #include "cli/options/scene.h"

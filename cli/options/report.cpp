@@ -1,5 +1,7 @@
 #include "cli/options/report.h"
 
+#include <CLI/CLI.hpp>
+
 namespace prospect::cli {
 
 void DefineReport(CLI::App& app, ReportOptions& report) {

@@ -1,5 +1,7 @@
 #include "cli/options/task.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 namespace prospect::cli {

@@ -1,18 +1,15 @@
-// prospect-check-robot: does whoever takes the simulator's place keep to the rules? Actions are
-// really started.
+#include "services/check_robot/command.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
-#include "base/json_file.h"
-#include "base/run_main.h"
+#include "base/exit_codes.h"
+#include "cli/report_file.h"
 #include "services/check_robot/robot_check.h"
 #include "services/common/common_options.h"
 
+namespace prospect::services {
 namespace {
-
-using namespace prospect;
-using namespace prospect::services;
 
 const char* Word(RobotFinding::Verdict verdict) {
   switch (verdict) {
@@ -26,41 +23,36 @@ const char* Word(RobotFinding::Verdict verdict) {
   return "not tried";
 }
 
-int Report(const std::vector<RobotFinding>& findings, const std::string& json_file) {
-  int faults = 0;
-  nlohmann::json rows = nlohmann::json::array();
+void Print(const std::vector<RobotFinding>& findings, std::ptrdiff_t faults) {
   for (const RobotFinding& finding : findings) {
     std::printf("%-10s %s%s%s\n", Word(finding.verdict), finding.rule.c_str(),
                 finding.detail.empty() ? "" : ": ", finding.detail.c_str());
-    if (finding.verdict == RobotFinding::Verdict::kFault) ++faults;
+  }
+  std::printf("%td of %zu rules broken\n", faults, findings.size());
+}
+
+nlohmann::json ReportOf(const std::vector<RobotFinding>& findings, std::ptrdiff_t faults) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const RobotFinding& finding : findings) {
     rows.push_back(
         {{"rule", finding.rule}, {"verdict", Word(finding.verdict)}, {"detail", finding.detail}});
   }
-  std::printf("%d of %zu rules broken\n", faults, findings.size());
-  if (!json_file.empty())
-    prospect::base::WriteJsonFile(json_file, {{"faults", faults}, {"rows", rows}});
-  return faults == 0 ? kExitSuccess : kExitTaskFailure;
-}
-
-int Run(int argc, char** argv) {
-  CLI::App app("Tries a robot, or the simulator, that is on the bus: actions are really started");
-  CommonOptions common;
-  std::string json_file;
-  AddCommonOptions(app, common);
-  app.add_option("--json", json_file, "also write the findings to this file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
-  }
-  ApplyCommonOptions(common, "check-robot");
-  Bus bus(common.bus);
-  RobotCheck check(bus);
-  return Report(check.Run(), json_file);
+  return {{"faults", faults}, {"rows", rows}};
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return RunMain([&] { return Run(argc, argv); });
+int RunCheckRobot(const cli::CheckRobotOptions& options) {
+  ApplyCommonOptions(CommonOptions(options.bus), "check-robot");
+  Bus bus(options.bus.bus);
+  RobotCheck check(bus);
+  const std::vector<RobotFinding> findings = check.Run();
+  const auto faults = std::count_if(
+      findings.begin(), findings.end(),
+      [](const RobotFinding& finding) { return finding.verdict == RobotFinding::Verdict::kFault; });
+  if (options.report.talks()) Print(findings, faults);
+  cli::WriteReport(options.report, ReportOf(findings, faults));
+  return faults == 0 ? kExitSuccess : kExitTaskFailure;
 }
+
+}  // namespace prospect::services

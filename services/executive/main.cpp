@@ -222,7 +222,7 @@ int Run(int argc, char** argv) {
   ExecutiveOptions options;
   options.search.samples = 30;
   options.search.depth = 0;
-  AddCommonOptions(app, common);
+  cli::DefineProcess(app, common);
   app.add_flag("-v,--verbose", verbose, "log each search, as --log-level info does");
   AddSceneOptions(app, options);
   AddSearchOptions(app, options);

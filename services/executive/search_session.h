@@ -33,7 +33,7 @@ struct SearchAnswer {
   std::int64_t requested = 0;    ///< evaluations asked for and answered, summed over workers
   int workers = 0;               ///< writers heard
   bool converged = false;        ///< every live writer's final rows are known
-  std::uint64_t table = 0;       ///< TableHash of what is known: compare with prospect-replay bus
+  std::uint64_t table = 0;       ///< TableHash of what is known: compare with prospect rebuild bus
   double seconds = 0;
   double searching_seconds = 0;  ///< from the first evaluation heard to the budget's end
 };

@@ -1,15 +1,13 @@
-// prospect-from-log: turns logs of the bus into a data set that trains the same networks as
-// collected ones.
-//   prospect-from-log LOG... --out FILE.h5 [--json FILE]
+#include "services/from_log/command.h"
+
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/json_file.h"
-#include "base/run_main.h"
+#include "base/exit_error.h"
+#include "cli/report_file.h"
 #include "model/dataset.h"
 #include "services/from_log/log_importer.h"
 
@@ -17,12 +15,6 @@ namespace prospect::services {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Options {
-  std::vector<std::string> logs;
-  std::string out;
-  std::string json;
-};
 
 // A folder for the files of single trials beside the data set, removed with the object.
 class Parts {
@@ -112,34 +104,17 @@ void Pack(const std::vector<std::string>& files, const std::string& out) {
   }
 }
 
-int Import(const Options& options) {
+}  // namespace
+
+int RunFromLog(const cli::DatasetFromLogOptions& options) {
   Parts parts(options.out);
   LogImporter importer([&](const model::Trial& trial) { parts.Write(trial); });
   const LogCounts counts = ReadLogs(options.logs, importer);
-  Print(importer, counts, parts.files().size());
-  if (!options.json.empty())
-    base::WriteJsonFile(options.json, Report(importer, counts, parts.files().size()));
+  const std::size_t trials = parts.files().size();
+  if (options.report.talks()) Print(importer, counts, trials);
+  cli::WriteReport(options.report, Report(importer, counts, trials));
   Pack(parts.files(), options.out);
   return kExitSuccess;
 }
 
-int Run(int argc, char** argv) {
-  CLI::App app("Turns logs of the bus into a data set.");
-  Options options;
-  app.add_option("logs", options.logs, "logs that lcm-logger wrote")->required();
-  app.add_option("--out", options.out, "the data set to write (HDF5)")->required();
-  app.add_option("--json", options.json, "also write the figures to this file");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
-  }
-  return Import(options);
-}
-
-}  // namespace
 }  // namespace prospect::services
-
-int main(int argc, char** argv) {
-  return prospect::RunMain([&] { return prospect::services::Run(argc, argv); });
-}

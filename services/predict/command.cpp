@@ -1,59 +1,20 @@
-// prospect-predict: asks the model server what the scene on the bus will look like next, and writes
-// the pictures. Nothing is planned and nothing is carried out.
+#include "services/predict/command.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
+#include "base/exit_error.h"
 #include "base/lock.h"
-#include "base/run_main.h"
+#include "base/quiet.h"
 #include "services/common/common_options.h"
 #include "services/executive/conversation.h"
 #include "services/predict/futures_picture.h"
 #include "services/predict/prediction.h"
 
+namespace prospect::services {
 namespace {
 
-using namespace prospect;
-using namespace prospect::services;
 namespace fs = std::filesystem;
-
-struct Options {
-  CommonOptions common;
-  PredictOptions predict;
-  std::string out;
-};
-
-void AddOptions(CLI::App& app, Options& o) {
-  AddCommonOptions(app, o.common);
-  app.add_option("--out", o.out, "folder for futures.png, seen.png and a picture a future")
-      ->required();
-  app.add_option("--actions", o.predict.actions,
-                 "what is done from now on, by names in TASK, such as G3,G6; without: the action "
-                 "under way, and after it each that may follow");
-  app.add_option("--truth", o.predict.truth_seconds,
-                 "wait so many seconds for what really comes, and show it beside; 0: do not")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app.add_option("--seed", o.predict.seed,
-                 "wait for the simulated scene of this seed; -1: whichever is there")
-      ->check(CLI::Range(std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()))
-      ->capture_default_str();
-  app.add_flag("--from-start", o.predict.from_start, "wait until the next action begins");
-  app.add_option("--segment", o.predict.segment,
-                 "wait until this action of the episode begins, 0 the first")
-      ->check(CLI::Range(0, 100000))
-      ->capture_default_str();
-  app.add_option("--services-timeout-ms", o.predict.services_timeout_ms,
-                 "how long to wait for services")
-      ->check(CLI::Range(0, 3600000))
-      ->capture_default_str();
-  app.add_option("--picture-timeout-ms", o.predict.picture_timeout_ms,
-                 "how long to wait for a picture, and for an action to begin")
-      ->check(CLI::Range(0, 3600000))
-      ->capture_default_str();
-}
 
 std::string FileOf(std::size_t number) {
   char text[32];
@@ -87,28 +48,18 @@ void Write(const FuturesSheet& sheet, const std::string& out) {
   }
 }
 
-int Run(int argc, char** argv) {
-  CLI::App app("Predict: what the scene on the bus will look like after the next actions");
-  Options options;
-  AddOptions(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
-  }
-  ApplyCommonOptions(options.common, "predict");
-  const prospect::base::Lock own = prospect::base::LockFolder(options.out);
-  Bus bus(options.common.bus);
+}  // namespace
+
+int RunPredict(const cli::PredictOptions& options) {
+  ApplyCommonOptions(CommonOptions(options.bus), "predict");
+  const base::Lock own = base::LockFolder(options.out);
+  Bus bus(options.bus.bus);
   Conversation talk(bus, "predict");
   talk.monitor().RequireOwnBus();
-  const FuturesSheet sheet = Predict(talk, options.predict);
+  const FuturesSheet sheet = Predict(talk, options);
   Write(sheet, options.out);
-  Tell(sheet, options.out);
+  if (!base::Quiet()) Tell(sheet, options.out);
   return kExitSuccess;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  return RunMain([&] { return Run(argc, argv); });
-}
+}  // namespace prospect::services

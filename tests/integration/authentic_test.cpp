@@ -206,7 +206,7 @@ TEST(Playing, IsRefusedWhereADeploymentLives) {
   ASSERT_TRUE(witness.Until(
       [&] { return witness.Ready("simulator", 1) && witness.episode_id >= 0; }, 10000));
   const std::string log = MakeRecording(witness, deployment.folder);
-  Process play("prospect-replay", {"play", log, "--with-commands", "--bus", witness.bus.url()},
+  Process play("prospect-bus", {"play", log, "--with-commands", "--bus", witness.bus.url()},
                deployment.folder + "/play.log");
   int code = -1;
   ASSERT_TRUE(witness.Until([&] { return (code = play.Wait(0)) >= 0; }, 20000));
@@ -230,7 +230,7 @@ TEST(Playing, HappensOnABusOfItsOwnWithoutCommands) {
     there.Subscribe<search_stop_t>([&](const search_stop_t&) { ++stops; });
     std::vector<std::string> words{"play", log};
     words.insert(words.end(), more.begin(), more.end());
-    Process player("prospect-replay", words, deployment.folder + "/play.log");
+    Process player("prospect-bus", words, deployment.folder + "/play.log");
     int code = -1;
     EXPECT_TRUE(witness.Until(
         [&] {

@@ -25,7 +25,7 @@ tool cmake <<'SH'
 echo "cmake $*" >>"$CALLS"
 mkdir -p build/release/bin
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\n' "$PWD" "${3#*=}" >build/release/CMakeCache.txt
-for target in all quick_tests prospect-{supervisor,simulator,model-server,worker,executive,bus,predict,view,verify,collect,train,evaluate}; do
+for target in all quick_tests prospect{,-supervisor,-simulator,-model-server,-worker,-executive,-bus,-video,-world,-verify,-data,-train,-evaluate}; do
   echo "build $target: phony some/where"
 done >build/release/build.ninja
 SH
@@ -36,9 +36,21 @@ echo "ninja $*" >>"$CALLS"
 echo '[0/2] Re-checking globbed directories...'
 if [ -f "$SAYS" ]; then . "$SAYS"; else echo 'ninja: no work to do.'; fi || exit
 for target; do
-  [[ $target = prospect-* ]] || continue
-  printf '#!/bin/sh\necho "started %s $*"\n' "$target" >"bin/$target" && chmod +x "bin/$target"
+  [[ $target = prospect* ]] || continue
+  if [ "$target" = prospect ]; then cp "$TABLE" "bin/$target"; else printf '#!/bin/sh\necho "started %s $*"\n' "$target" >"bin/$target"; fi
+  chmod +x "bin/$target"
 done
+SH
+# The table of commands, as far as it is needed here.
+export TABLE=$work/table
+cat >"$TABLE" <<'SH'
+#!/bin/sh
+[ "$1" = --programs ] || { echo "started prospect $*"; exit; }
+case $2 in
+  view) echo prospect-world ;;
+  figures) echo prospect-figures ;;
+  verify) printf '%s\n' prospect-verify prospect prospect-data prospect-evaluate prospect-train ;;
+esac
 SH
 
 fail() { printf '%s\nIt said:\n%s\nIt called:\n%s\n' "$*" "$said" "$(cat "$calls" 2>/dev/null)"; exit 1; }
@@ -58,8 +70,8 @@ did_not_call() { ! grep -qE -- "$1" "$calls" 2>/dev/null || fail "a call of '$1'
 # A program is built when it is first asked for, alone, and used as it is from then on.
 asked 0 view --seed 3
 called 'cmake --preset release -DPROSPECT_TESTS=OFF'
-called 'ninja prospect-view'
-says '^started prospect-view --seed 3$'
+called 'ninja prospect-world'
+says '^started prospect view --seed 3$'
 asked 0 view --seed 3
 did_not_call 'cmake|ninja'
 
@@ -72,7 +84,7 @@ called 'ninja prospect-supervisor prospect-simulator prospect-model-server prosp
 is_silent_about '^Building'
 
 asked 2 demo --task suturing --weights scripted
-called 'ninja .* prospect-predict'
+called 'ninja .* prospect-video'
 
 # What is built is told with its steps and, once that can be told, the time that is left.
 cat >"$SAYS" <<'SH'
@@ -116,10 +128,10 @@ rm "$SAYS"
 
 # Programs that run others bring them along; one that this build does not have is named as such.
 asked 0 verify
-called 'ninja (prospect-verify|prospect-collect|prospect-evaluate|prospect-train| )+'
-says '^started prospect-verify '
+called 'ninja (prospect-verify|prospect-data|prospect-evaluate|prospect-train| )+'
+says '^started prospect verify'
 asked 2 figures
-says 'this build has no figures: it did not find OpenCV'
+says 'this build has no prospect-figures: it did not find OpenCV'
 did_not_call 'ninja .*figures'
 
 # Two builds do not write into one folder.
@@ -130,7 +142,7 @@ says '^Waiting for another build'
 wait
 
 # With a build folder named, nothing is built.
-rm "$place/build/release/bin/prospect-view"
+rm "$place/build/release/bin/prospect"
 PROSPECT_BUILD=$work/none asked 127 view
 did_not_call 'cmake|ninja'
 

@@ -18,7 +18,8 @@ struct Checked {
 };
 
 Checked Check(Witness& witness, const std::string& folder) {
-  Process check("prospect-check-robot", {"--json", folder + "/check.json"}, folder + "/check.log");
+  Process check("prospect-bus", {"check-robot", "--json", folder + "/check.json"},
+                folder + "/check.log");
   Checked result;
   witness.Until([&] { return (result.code = check.Wait(0)) >= 0; }, 90000);
   const auto file = nlohmann::json::parse(ReadText(folder + "/check.json"), nullptr, false);
@@ -73,7 +74,8 @@ TEST(CheckRobot, NobodyThereIsAFault) {
 TEST(CheckRobot, AnEpisodeWithTheExample) {
   Witness witness;
   Deployment deployment("example_episode");
-  Process robot("examples/example-robot", {"--bus", witness.bus.url()}, deployment.folder + "/robot.log");
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
+                deployment.folder + "/robot.log");
   auto& executive = deployment.Executive(
       {"--no-reset", "--policy", "plan:0,1,2", "--services-timeout-ms", "20000"});
   int code = -1;

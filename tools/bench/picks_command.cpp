@@ -1,7 +1,3 @@
-// prospect-picks-bench: how surely the stacking world's controllers pick a block up and put it on
-// another where nothing is in the way, without execution noise and with the default one.
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -11,50 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "base/json_file.h"
+#include "cli/report_file.h"
 #include "sim/random.h"
 #include "sim/rollout.h"
 #include "sim/stacking/action_table.h"
 #include "sim/stacking/stacking_task.h"
+#include "tools/bench/commands.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
 
+namespace prospect::tools {
 namespace {
 
 using nlohmann::json;
-using namespace prospect;
 
 constexpr std::uint64_t kPairStream = 0x7069636b73ULL;
-
-struct Options {
-  int scenes = 500;
-  std::uint64_t seed = 1'000'000;
-  double clearance = 0.20;
-  std::vector<double> noise = {0, 1};
-  int jobs = 2;
-  std::string json_file;
-};
-
-void AddOptions(CLI::App* app, Options* options) {
-  app->add_option("--scenes", options->scenes, "Scenes with a pair of blocks far from the obstacle")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  app->add_option("--seed", options->seed, "Where the search for such scenes begins")
-      ->capture_default_str();
-  app->add_option("--clearance", options->clearance,
-                  "Metres between the obstacle and both blocks and the line between these")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  app->add_option("--noise", options->noise,
-                  "Scales of the execution noise; 0: none, 1: the scene file's")
-      ->delimiter(',');
-  app->add_option("--jobs", options->jobs, "Processes")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app->add_option("--json", options->json_file, "Write the figures to this file, too");
-}
 
 constexpr double kObstacleRadius = 0.025, kHalfBlock = 0.025;  // m, as in the default scene
 
@@ -94,7 +62,7 @@ std::optional<Pair> ClearPair(const sim::StackingScene& scene, std::uint64_t see
   return pairs[random.Below(static_cast<int>(pairs.size()))];
 }
 
-std::vector<Pair> FindPairs(const Options& options) {
+std::vector<Pair> FindPairs(const cli::BenchPicksOptions& options) {
   sim::StackingTask task({});
   std::vector<Pair> pairs;
   for (std::uint64_t seed = options.seed; static_cast<int>(pairs.size()) < options.scenes; ++seed) {
@@ -118,11 +86,11 @@ std::vector<int> PlanOf(const Pair& pair, int blocks) {
 }
 
 // Keys: noise, scenes, successes, share, low, high, failures (by reason).
-json Row(double noise, const std::vector<Pair>& pairs, const Options& options) {
+json Row(double noise, const std::vector<Pair>& pairs, const cli::BenchPicksOptions& options) {
   std::map<std::string, int> failures;
   int successes = 0;
   const int scenes = static_cast<int>(pairs.size());
-  tools::Progress progress("picks", scenes);
+  Progress progress("picks", scenes);
   const auto make_work = [&] {
     sim::TaskOptions world;
     world.execution_noise = noise;
@@ -133,13 +101,13 @@ json Row(double noise, const std::vector<Pair>& pairs, const Options& options) {
       return sim::RunPlan(*task, PlanOf(pairs[i], blocks), nullptr).reason;
     };
   };
-  const tools::Extent extent =
-      tools::ForkMap(scenes, options.jobs, make_work, [&](int, const std::string& reason) {
+  const Extent extent =
+      ForkMap(scenes, options.jobs, make_work, [&](int, const std::string& reason) {
         reason.empty() ? ++successes : ++failures[reason];
         progress.Step();
       });
   if (extent.stopped()) throw Interrupted(extent.Words("picks"));
-  const tools::Share share = tools::ShareOf(successes, scenes);
+  const Share share = ShareOf(successes, scenes);
   return {{"noise", noise},       {"scenes", scenes}, {"successes", successes},
           {"share", share.value}, {"low", share.low}, {"high", share.high},
           {"failures", failures}};
@@ -156,25 +124,17 @@ void Print(const json& row) {
   std::printf("\n");
 }
 
-void Run(const Options& options) {
+}  // namespace
+
+int RunBenchPicks(const cli::BenchPicksOptions& options) {
   const std::vector<Pair> pairs = FindPairs(options);
   json rows = json::array();
   for (const double noise : options.noise) {
     rows.push_back(Row(noise, pairs, options));
-    Print(rows.back());
+    if (options.report.talks()) Print(rows.back());
   }
-  if (options.json_file.empty()) return;
-  base::WriteJsonFile(options.json_file, {{"clearance", options.clearance}, {"rows", rows}});
+  cli::WriteReport(options.report, {{"clearance", options.clearance}, {"rows", rows}});
+  return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app("Picks and places where nothing is in the way, without and with execution noise");
-  Options options;
-  AddOptions(&app, &options);
-  return tools::RunProgram("prospect bench picks", &app, argc, argv, [&] {
-    Run(options);
-    return 0;
-  });
-}
+}  // namespace prospect::tools

@@ -1,51 +1,32 @@
-// prospect-sim-bench: how fast each world runs on one core, and where its time goes.
-
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/json_file.h"
+#include "cli/report_file.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 #include "sim/task_factory.h"
+#include "tools/bench/commands.h"
 #include "tools/bench/cpu_clock.h"
-#include "tools/common/program.h"
 
+namespace prospect::tools {
 namespace {
 
 using nlohmann::json;
-using namespace prospect;
-
-struct Options {
-  std::vector<std::string> tasks = sim::TaskNames();
-  int trials = 20;
-  std::uint64_t seed = 0;
-  std::string json_file;
-};
-
-void AddOptions(CLI::App* app, Options* options) {
-  app->add_option("--task", options->tasks, "Tasks")->capture_default_str();
-  app->add_option("--trials", options->trials, "Random trials of each task")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  app->add_option("--seed", options->seed, "Seed of the first trial")->capture_default_str();
-  app->add_option("--json", options->json_file, "Write the figures to this file, too");
-}
 
 // Adds the processor time from its making to its end to *seconds.
 class Timed {
  public:
-  explicit Timed(double* seconds) : seconds_(seconds), start_(tools::CpuClock::now()) {}
-  ~Timed() { *seconds_ += std::chrono::duration<double>(tools::CpuClock::now() - start_).count(); }
+  explicit Timed(double* seconds) : seconds_(seconds), start_(CpuClock::now()) {}
+  ~Timed() { *seconds_ += std::chrono::duration<double>(CpuClock::now() - start_).count(); }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
   double* seconds_;
-  tools::CpuClock::time_point start_;
+  CpuClock::time_point start_;
 };
 
 struct Costs {
@@ -85,7 +66,7 @@ void RunTrial(sim::Task& task, std::uint64_t seed, Costs* costs) {
 
 // Keys: task, trials, simulated_seconds, real_time_factor (with the camera), physics_factor
 // (without), tick_ms, step_us, picture_ms, reset_ms, camera_share.
-json Row(const std::string& name, const Options& options) {
+json Row(const std::string& name, const cli::BenchSimOptions& options) {
   const auto task = sim::MakeTask(name);
   task->Reset(options.seed);
   task->Observe();  // what is made when it is first needed does not count
@@ -122,22 +103,14 @@ void Print(const json& rows) {
   std::printf("Processor time of one core; a tick is 0.1 s of simulated time and one picture.\n");
 }
 
-void Run(const Options& options) {
-  json rows = json::array();
-  for (const std::string& task : options.tasks) rows.push_back(Row(task, options));
-  Print(rows);
-  if (options.json_file.empty()) return;
-  base::WriteJsonFile(options.json_file, {{"rows", rows}});
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("How fast each world runs on one core, and where its time goes");
-  Options options;
-  AddOptions(&app, &options);
-  return tools::RunProgram("prospect bench sim", &app, argc, argv, [&] {
-    Run(options);
-    return 0;
-  });
+int RunBenchSim(const cli::BenchSimOptions& options) {
+  json rows = json::array();
+  for (const std::string& task : options.tasks) rows.push_back(Row(task, options));
+  if (options.report.talks()) Print(rows);
+  cli::WriteReport(options.report, {{"rows", rows}});
+  return 0;
 }
+
+}  // namespace prospect::tools

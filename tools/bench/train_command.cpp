@@ -1,35 +1,15 @@
-// prospect-train-bench: how fast training's stages run here, against the machine's matrix products.
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "base/json_file.h"
+#include "cli/report_file.h"
 #include "tools/bench/train_bench.h"
-#include "tools/common/program.h"
+#include "tools/train/commands.h"
 
+namespace prospect::tools {
 namespace {
 
 using nlohmann::json;
-using prospect::tools::TrainBenchOptions;
-
-void AddOptions(CLI::App* app, TrainBenchOptions* options, std::string* json_file) {
-  app->add_option("--task", options->task, "The task whose networks are trained")->required();
-  app->add_option("--device", options->device, "cpu or cuda")
-      ->check(CLI::IsMember({"cpu", "cuda"}))
-      ->capture_default_str();
-  app->add_option("--precision", options->precision, "float32, or mixed: as train's")
-      ->check(CLI::IsMember({"float32", "mixed"}))
-      ->capture_default_str();
-  app->add_option("--threads", options->threads, "CPU threads")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  app->add_option("--seconds", options->seconds, "About so long each stage is measured")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app->add_option("--json", *json_file, "Write the figures to this file, too");
-}
 
 void Print(const json& figures) {
   std::printf("%-17s %5s %-8s %9s %9s %9s %9s %8s %6s %6s %10s %8s\n", "stage", "batch", "of",
@@ -54,15 +34,11 @@ void Print(const json& figures) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("How fast training's stages run here, against the machine's matrix products");
-  TrainBenchOptions options;
-  std::string json_file;
-  AddOptions(&app, &options, &json_file);
-  return prospect::tools::RunProgram("prospect bench train", &app, argc, argv, [&] {
-    const json figures = prospect::tools::BenchTraining(options);
-    Print(figures);
-    if (!json_file.empty()) prospect::base::WriteJsonFile(json_file, figures);
-    return 0;
-  });
+int RunBenchTrain(const cli::BenchTrainOptions& options) {
+  const json figures = BenchTraining(options);
+  if (options.report.talks()) Print(figures);
+  cli::WriteReport(options.report, figures);
+  return 0;
 }
+
+}  // namespace prospect::tools

@@ -1,8 +1,3 @@
-// prospect-ceiling: how well what V, f and T are asked can be known at all. Trials of a data set's
-// test part are carried out again up to a random moment and from there on many times: execution
-// noise, and actions that nobody has chosen yet, are what no picture tells.
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -13,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/json_file.h"
+#include "cli/report_file.h"
 #include "model/trial.h"
 #include "sim/random.h"
 #include "tools/ceiling/foretold.h"
@@ -21,8 +16,8 @@
 #include "tools/collect/collector.h"
 #include "tools/collect/scene_tasks.h"
 #include "tools/common/fork_map.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
+#include "tools/world/commands.h"
 
 namespace prospect::tools {
 namespace {
@@ -31,45 +26,9 @@ using nlohmann::json;
 
 constexpr std::uint64_t kMomentStream = 0x6d6f6d656e74ULL;
 
-struct Options {
-  CollectOptions collect;  // task, scenes and the first seed, as the data set was made with
-  int trials = 500;
-  int runs = 10;
-  int jobs = 2;
-  std::string json_file;
-};
-
-void AddOptions(CLI::App* app, Options* o) {
-  o->collect.task = "stacking";
-  app->add_option("--task", o->collect.task, "The task")->capture_default_str();
-  app->add_option("--objects", o->collect.objects, "As the data set's: 4 to 7, or mixed")
-      ->capture_default_str();
-  app->add_option("--legs", o->collect.legs, "As the data set's: 3 to 5, or mixed")
-      ->capture_default_str();
-  app->add_option("--tower", o->collect.tower, "As the data set's: 2 to 4")
-      ->check(CLI::Range(2, 4))
-      ->capture_default_str();
-  app->add_option("--scene-file", o->collect.scene_file, "As the data set's, for stacking")
-      ->check(CLI::ExistingFile);
-  app->add_option("--trials", o->trials,
-                  "Test trials to look at; from those that last long enough one moment is taken")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  app->add_option("--runs", o->runs, "Repetitions from each moment, in each of three ways")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
-  app->add_option("--seed", o->collect.seed,
-                  "Seed of the first trial; only those of the test part count")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{999'999}))
-      ->capture_default_str();
-  app->add_option("--jobs", o->jobs, "Processes")->check(CLI::Range(1, 256))->capture_default_str();
-  app->add_option("--json", o->json_file, "Write the figures to this file, too");
-}
-
-std::vector<std::uint64_t> TestSeeds(const Options& options) {
+std::vector<std::uint64_t> TestSeeds(const cli::CeilingOptions& options) {
   std::vector<std::uint64_t> seeds;
-  for (std::uint64_t seed = options.collect.seed; static_cast<int>(seeds.size()) < options.trials;
-       ++seed) {
+  for (std::uint64_t seed = options.seed; static_cast<int>(seeds.size()) < options.trials; ++seed) {
     if (seed > model::kLastCollectionSeed)
       throw std::invalid_argument(
           "so many test trials do not come after that seed: lower --trials");
@@ -176,16 +135,18 @@ void Print(const json& report) {
 }
 
 // No trial has more actions: each begins anew at most once.
-int MostActions(const Options& options, const std::vector<std::uint64_t>& seeds) {
-  SceneTasks tasks(options.collect.task);
+int MostActions(const cli::CeilingOptions& options, const std::vector<std::uint64_t>& seeds) {
+  SceneTasks tasks(options.task);
   int most = 0;
   for (const std::uint64_t seed : seeds) {
-    most = std::max(most, 2 * tasks.Get(SceneOptions(options.collect, seed)).spec().plan_length);
+    most = std::max(most, 2 * tasks.Get(SceneOptions(options.scenes, seed)).spec().plan_length);
   }
   return most;
 }
 
-int Run(const Options& options) {
+}  // namespace
+
+int RunCeiling(const cli::CeilingOptions& options) {
   const std::vector<std::uint64_t> seeds = TestSeeds(options);
   const int most = MostActions(options, seeds);  // refuses an unknown task, too
   std::map<std::string, Bounds> rows;
@@ -193,10 +154,10 @@ int Run(const Options& options) {
   int moments = 0;
   Progress progress("trials", options.trials);
   const auto worker = [&] {
-    auto tasks = std::make_shared<SceneTasks>(options.collect.task);
+    auto tasks = std::make_shared<SceneTasks>(options.task);
     return [&seeds, &options, tasks, most](int i) {
       const std::uint64_t seed = seeds[static_cast<std::size_t>(i)];
-      sim::Task& task = tasks->Get(SceneOptions(options.collect, seed));
+      sim::Task& task = tasks->Get(SceneOptions(options.scenes, seed));
       return LookAt(task, seed, options.runs, most).dump();
     };
   };
@@ -212,28 +173,17 @@ int Run(const Options& options) {
         }
         progress.Step(std::to_string(moments) + " moments");
       });
-  json report = {{"task", options.collect.task}, {"trials", extent.done},
-                 {"runs", options.runs},         {"moments", moments},
-                 {"rows", json::object()},       {"pictures", json::object()}};
+  json report = {{"task", options.task}, {"trials", extent.done},  {"runs", options.runs},
+                 {"moments", moments},   {"rows", json::object()}, {"pictures", json::object()}};
   for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
   for (const auto& [name, bounds] : pictures) report["pictures"][name] = Figures(bounds);
   extent.Put(&report);
-  Print(report);
-  std::printf("%s", extent.Line("trials").c_str());
-  if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, report);
+  if (options.report.talks()) {
+    Print(report);
+    std::printf("%s", extent.Line("trials").c_str());
+  }
+  cli::WriteReport(options.report, report);
   return extent.exit_code();
 }
 
-}  // namespace
 }  // namespace prospect::tools
-
-int main(int argc, char** argv) {
-  CLI::App app(
-      "How well what V, f and T are asked can be known at all: test trials again from one of their "
-      "moments on, with other execution noise and other actions. Of each figure two bounds: what "
-      "half of the repetitions foretell of the others, and what all foretell of themselves.");
-  prospect::tools::Options options;
-  prospect::tools::AddOptions(&app, &options);
-  return prospect::tools::RunProgram("prospect-ceiling", &app, argc, argv,
-                                     [&] { return prospect::tools::Run(options); });
-}

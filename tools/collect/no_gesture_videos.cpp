@@ -5,7 +5,7 @@
 
 namespace prospect::tools {
 
-GestureVideoSummary CollectGestureVideos(const GestureVideoOptions&) {
+GestureVideoSummary CollectGestureVideos(const cli::CollectOptions&) {
   throw CollectUsageError("this build writes no videos: it was made without OpenCV");
 }
 

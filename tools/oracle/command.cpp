@@ -1,57 +1,25 @@
-// prospect-oracle: what can be achieved in the scenes of a task. Runs every legal plan in every
-// scene and prints how often random orders fail and why, and how many scenes are solvable, hopeless
-// or doubtful. Results are cached.
-
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/command.h"
-#include "cli/commands/oracle.h"
 #include "cli/report_file.h"
 #include "sim/oracle_cache.h"
-#include "sim/plan_rules.h"
-#include "sim/random_plan.h"
-#include "sim/rollout.h"
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/world.h"
+#include "tools/oracle/speed.h"
+#include "tools/world/commands.h"
 
+namespace prospect::tools {
 namespace {
 
 using nlohmann::json;
-using namespace prospect;
 using Options = cli::OracleOptions;
-
-// Takes pictures and throws them away.
-class Onlooker : public sim::FrameSink {
- public:
-  void OnFrame(const sim::Image&, const sim::Progress&) override {}
-};
-
-// Simulated seconds of random trials a second of processor time, their set-up included: what one
-// free core does.
-double TimesRealTime(sim::Task& task, std::uint64_t seed, sim::FrameSink* sink) {
-  constexpr double kLongEnough = 0.5 * CLOCKS_PER_SEC;
-  const std::clock_t start = std::clock();
-  double simulated = 0;
-  while (static_cast<double>(std::clock() - start) < kLongEnough) {
-    task.Reset(seed);
-    sim::RandomPlan plan(sim::PlanRules(task.spec()), seed++);
-    for (auto legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
-      sim::RunAction(task, plan.Choose(legal), sink);
-    }
-    simulated += task.progress().time;
-  }
-  return simulated * CLOCKS_PER_SEC / static_cast<double>(std::clock() - start);
-}
 
 // One scene's line from a worker.
 json Consult(sim::Task& task, std::uint64_t seed, sim::OracleCache* cache) {
@@ -90,7 +58,7 @@ void Add(const json& scene, Totals* totals) {
 // random runs), solvable, hopeless, doubtful (count, share, low, high), oracle_success,
 // seconds_per_scene, times_real_time, times_real_time_camera, stopped, wanted (scenes).
 json Report(const Options& options, const Totals& totals, double seconds) {
-  const sim::TaskOptions world = tools::WorldOf(options.scene);
+  const sim::TaskOptions world = WorldOf(options.scene);
   json report = {{"task", options.task},
                  {"scenes", totals.scenes},
                  {"first_seed", options.seed},
@@ -99,7 +67,7 @@ json Report(const Options& options, const Totals& totals, double seconds) {
                  {"random_failure_share", totals.failure_share / totals.scenes},
                  {"seconds_per_scene", seconds * options.jobs / totals.scenes}};
   for (const auto& [name, count] : totals.classes) {
-    const tools::Share share = tools::ShareOf(count, totals.scenes);
+    const Share share = ShareOf(count, totals.scenes);
     report[name] = {
         {"count", count}, {"share", share.value}, {"low", share.low}, {"high", share.high}};
   }
@@ -109,9 +77,8 @@ json Report(const Options& options, const Totals& totals, double seconds) {
   for (const auto& [reason, sum] : totals.causes) causes[reason] = sum / totals.scenes;
   report["causes"] = causes;
   const std::unique_ptr<sim::Task> task = sim::MakeTask(options.task, world);
-  Onlooker onlooker;
-  report["times_real_time"] = TimesRealTime(*task, options.seed, nullptr);
-  report["times_real_time_camera"] = TimesRealTime(*task, options.seed, &onlooker);
+  report["times_real_time"] = TimesRealTime(*task, options.seed, false);
+  report["times_real_time_camera"] = TimesRealTime(*task, options.seed, true);
   return report;
 }
 
@@ -139,7 +106,7 @@ void Print(const json& report) {
 }
 
 std::function<std::string(int)> MakeWorker(const Options& options) {
-  const sim::TaskOptions world = tools::WorldOf(options.scene);
+  const sim::TaskOptions world = WorldOf(options.scene);
   auto task = std::shared_ptr<sim::Task>(sim::MakeTask(options.task, world));
   std::shared_ptr<sim::OracleCache> cache;
   if (!options.fresh) {
@@ -150,13 +117,15 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
   return [task, cache, seed](int i) { return Consult(*task, seed + i, cache.get()).dump(); };
 }
 
-int Run(const Options& options) {
+}  // namespace
+
+int RunOracle(const Options& options) {
   sim::MakeTask(options.task,
-                tools::WorldOf(options.scene));  // refuses bad options before any process starts
+                WorldOf(options.scene));  // refuses bad options before any process starts
   Totals totals;
-  tools::Progress progress("scenes", options.scenes);
+  Progress progress("scenes", options.scenes);
   const auto start = std::chrono::steady_clock::now();
-  const tools::Extent extent = tools::ForkMap(
+  const Extent extent = ForkMap(
       options.scenes, options.jobs, [&] { return MakeWorker(options); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &totals);
@@ -174,10 +143,4 @@ int Run(const Options& options) {
   return extent.exit_code();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Options options;
-  if (const auto end = cli::Parse("oracle", argc, argv, options)) return *end;
-  return RunMain([&] { return Run(options); }, "prospect-oracle", kExitDisk);
-}
+}  // namespace prospect::tools

@@ -1,13 +1,10 @@
-// prospect-tables: the paper's two tables, of any set of trained variants (paper, tables of §V:
-// successful examples only, and all of them), on the held-out trials of a data set.
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/quiet.h"
 #include "base/stop_signals.h"
 #include "model/hash.h"
 #include "model/training/export.h"
@@ -15,50 +12,14 @@
 #include "model/weights.h"
 #include "tools/common/extent.h"
 #include "tools/common/progress.h"
-#include "tools/common/torch_main.h"
 #include "tools/tables/report.h"
 #include "tools/tables/row_cache.h"
+#include "tools/train/commands.h"
 
 namespace prospect::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Arguments {
-  std::string task = "stacking";
-  TableData data;
-  std::string models;   // folder with VARIANT/TASK.safetensors
-  std::string weights;  // one more row
-  std::string judge;    // whose second classifier reads the labels
-  std::string out;
-};
-
-void AddOptions(CLI::App* app, Arguments* a) {
-  app->add_option("--task", a->task, "the task")->capture_default_str();
-  app->add_option("--data", a->data.path, "data set made by collect (HDF5)")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app->add_option("--models", a->models,
-                  "folder that train --variant wrote: VARIANT/TASK.safetensors a row")
-      ->check(CLI::ExistingDirectory);
-  app->add_option("--weights", a->weights, "a weights file as one more row")
-      ->check(CLI::ExistingFile);
-  app->add_option("--judge", a->judge,
-                  "classifiers file whose second classifier reads the labels of all rows (default: "
-                  "the first row's)")
-      ->check(CLI::ExistingFile);
-  app->add_option("--out", a->out, "folder for tables.md and tables.csv")->required();
-  app->add_option("--every", a->data.every, "take every so-many-th frame (1: all of them)")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app->add_option("--trials", a->data.trials, "at most so many test trials (0: all)");
-  app->add_flag("--paper-tail", a->data.paper_tail,
-                "keep frames of a trial's last action, which have no second one: the first again, "
-                "as in the authors' code");
-  app->add_option("--threads", a->data.threads, "CPU threads")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-}
 
 constexpr int kBaselines = 3;  // rows
 
@@ -67,7 +28,7 @@ struct Candidate {
   std::string path;  // of its weights file; empty = not trained
 };
 
-std::vector<Candidate> CandidatesOf(const Arguments& a) {
+std::vector<Candidate> CandidatesOf(const cli::TablesOptions& a) {
   std::vector<Candidate> all;
   if (!a.models.empty()) {
     for (const model::Variant& variant : model::Variants()) {
@@ -77,6 +38,16 @@ std::vector<Candidate> CandidatesOf(const Arguments& a) {
   }
   if (!a.weights.empty()) all.push_back({fs::path(a.weights).filename().string(), a.weights});
   return all;
+}
+
+TableData DataOf(const cli::TablesOptions& a) {
+  TableData data;
+  data.path = a.data;
+  data.every = a.every;
+  data.paper_tail = a.paper_tail;
+  data.trials = static_cast<std::size_t>(a.trials);
+  data.threads = a.threads;
+  return data;
 }
 
 struct LoadedModel {
@@ -96,8 +67,8 @@ LoadedModel Load(const std::string& path, const std::string& task) {
 
 class Tables {
  public:
-  explicit Tables(const Arguments& a)
-      : a_(a), own_(base::LockFolder(a.out)), candidates_(CandidatesOf(a)) {
+  explicit Tables(const cli::TablesOptions& a)
+      : a_(a), data_(DataOf(a)), own_(base::LockFolder(a.out)), candidates_(CandidatesOf(a)) {
     for (const Candidate& candidate : candidates_) {
       if (!candidate.path.empty() && first_.empty()) first_ = candidate.path;
     }
@@ -110,7 +81,7 @@ class Tables {
     if (a_.judge.empty() && model::ReadsLabels(model::ReadWeights(first_))) {
       a_.judge = model::ClassifiersPath(first_);
     }
-    data_hash_ = model::TrialFile(a.data.path).ContentHash();
+    data_hash_ = model::TrialFile(a.data).ContentHash();
     fs::create_directories(a.out + "/rows");
     at::set_num_threads(1);  // trials are the parallelism
   }
@@ -143,9 +114,9 @@ class Tables {
                                 model::WeightsFileHash(weights),
                                 data_hash_,
                                 a_.judge.empty() ? 0 : model::WeightsFileHash(a_.judge),
-                                a_.data.every,
-                                a_.data.trials,
-                                a_.data.paper_tail};
+                                data_.every,
+                                data_.trials,
+                                data_.paper_tail};
     return model::HexText(model::HashText(key.dump()));
   }
 
@@ -164,7 +135,7 @@ class Tables {
 
   void AddBaselines(const model::Networks& networks) {
     const auto rows = RowsOf("baselines", first_, [&](const ScoreProgress& progress) {
-      const Baselines b = ScoreBaselines(a_.data, networks, judge_, progress);
+      const Baselines b = ScoreBaselines(data_, networks, judge_, progress);
       return std::vector<Row>{b.copy, b.reconstruction, b.goal};
     });
     lines_.push_back({"copy x", rows.at(0)});
@@ -179,7 +150,7 @@ class Tables {
     if (!candidate.path.empty()) {
       const LoadedModel loaded = Load(candidate.path, a_.task);
       line.row = RowsOf(candidate.name, candidate.path, [&](const ScoreProgress& progress) {
-                   return std::vector<Row>{ScoreModel(a_.data, loaded.networks, judge_, progress)};
+                   return std::vector<Row>{ScoreModel(data_, loaded.networks, judge_, progress)};
                  }).at(0);
       ReadEffort(loaded.metadata, &line);
     }
@@ -199,8 +170,8 @@ class Tables {
   std::string Caption() const {
     std::string text = "Held-out trials of task " + a_.task + " (data " + data_hash_ +
                        "): one example a frame during an action";
-    if (a_.data.every > 1) text += ", every " + std::to_string(a_.data.every) + "th of them";
-    text += a_.data.paper_tail ? ", last actions twice" : ", last actions left out";
+    if (data_.every > 1) text += ", every " + std::to_string(data_.every) + "th of them";
+    text += data_.paper_tail ? ", last actions twice" : ", last actions left out";
     text += ". Errors against the clean goal pictures; ";
     text += a_.judge.empty() ? "nobody reads labels."
                              : "labels read by a second classifier that is in no loss.";
@@ -232,10 +203,12 @@ class Tables {
     if (!differences.empty()) text += "\n## Differences, on the same trials\n\n" + differences;
     base::WriteFile(a_.out + "/tables.md", text);
     base::WriteFile(a_.out + "/tables.csv", CsvTables(lines_));
-    std::printf("%s\n%s/tables.md and tables.csv\n", text.c_str(), a_.out.c_str());
+    if (!base::Quiet())
+      std::printf("%s\n%s/tables.md and tables.csv\n", text.c_str(), a_.out.c_str());
   }
 
-  Arguments a_;
+  cli::TablesOptions a_;
+  TableData data_;
   base::Lock own_;  // of the folder
   std::vector<Candidate> candidates_;
   std::string first_;  // weights file of the first row that is trained
@@ -245,21 +218,10 @@ class Tables {
 };
 
 }  // namespace
-}  // namespace prospect::tools
 
-int main(int argc, char** argv) {
-  CLI::App app("Pictures and labels after one and two actions: a table of trained variants.");
-  prospect::tools::Arguments arguments;
-  prospect::tools::AddOptions(&app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : prospect::kExitUsage;
-  }
-  const auto run = [&] {
-    prospect::base::InstallStopSignals();
-    return prospect::tools::Tables(arguments).Run();
-  };
-  return prospect::tools::RunTorchMain(run, "prospect-tables");
+int RunTables(const cli::TablesOptions& options) {
+  base::InstallStopSignals();
+  return Tables(options).Run();
 }
+
+}  // namespace prospect::tools

@@ -1,7 +1,3 @@
-// prospect-takes: how far two takes of one action differ, from the same state with fresh noise: the
-// floor of what a prediction of one picture can reach in a world that does not repeat itself.
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -11,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/json_file.h"
+#include "cli/report_file.h"
 #include "sim/plan_rules.h"
 #include "sim/random.h"
 #include "sim/random_plan.h"
@@ -19,21 +15,12 @@
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/suturing_task.h"
 #include "sim/task_factory.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
-#include "tools/common/scene_options.h"
+#include "tools/common/world.h"
+#include "tools/world/commands.h"
 
-namespace prospect {
+namespace prospect::tools {
 namespace {
-
-struct Options {
-  std::string task = "suturing";
-  std::uint64_t seed = 2'000'000;
-  int scenes = 20;
-  int most_actions = 40;
-  sim::TaskOptions world;
-  std::string json_file;
-};
 
 // Means over actions, by how many of them lie between the state and the picture.
 struct Floor {
@@ -54,13 +41,13 @@ double Difference(const sim::Image& a, const sim::Image& b) {
 
 class Takes {
  public:
-  explicit Takes(const Options& options)
+  explicit Takes(const cli::TakesOptions& options)
       : options_(options),
-        task_(sim::MakeTask(options.task, options.world)),
+        task_(sim::MakeTask(options.task, WorldOf(options.scene))),
         suturing_(dynamic_cast<sim::SuturingTask*>(task_.get())) {}
 
   void Run() {
-    tools::Progress progress("scenes", options_.scenes);
+    Progress progress("scenes", options_.scenes);
     for (int i = 0; i < options_.scenes; ++i) {
       RunScene(options_.seed + static_cast<std::uint64_t>(i));
       progress.Step();
@@ -118,58 +105,32 @@ class Takes {
     if (first.size() > 1 && second.size() > 1) two_.Add(Difference(first[1], second[1]));
   }
 
-  const Options& options_;
+  const cli::TakesOptions& options_;
   std::unique_ptr<sim::Task> task_;
   sim::SuturingTask* suturing_;  // task_, if it is one
   Floor one_, two_;
 };
 
-void AddOptions(CLI::App* app, Options* o) {
-  app->add_option("--task", o->task, "the task")->capture_default_str();
-  app->add_option("--seed", o->seed, "first scene")->capture_default_str();
-  app->add_option("--scenes", o->scenes, "scenes, a random trial each")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  tools::AddSceneOptions(app, &o->world);
-  app->add_option("--actions", o->most_actions, "of a trial at most so many")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
-  app->add_option("--json", o->json_file, "write it here, too");
-}
-
-int Tell(const Options& o, const Takes& takes) {
+void Print(const Takes& takes) {
   std::printf("two takes of one action:   MAE %.4f (%d pairs)\n", takes.one().mean(),
               takes.one().samples);
   std::printf("two takes of two actions:  MAE %.4f (%d pairs)\n", takes.two().mean(),
               takes.two().samples);
-  if (o.json_file.empty()) return 0;
-  const nlohmann::json json = {
-      {"task", o.task},
-      {"seed", o.seed},
-      {"scenes", o.scenes},
-      {"x1", {{"mae", takes.one().mean()}, {"pairs", takes.one().samples}}},
-      {"x2", {{"mae", takes.two().mean()}, {"pairs", takes.two().samples}}}};
-  base::WriteJsonFile(o.json_file, json);
-  return 0;
-}
-
-int Run(const Options& options) {
-  Takes takes(options);
-  takes.Run();
-  return Tell(options, takes);
 }
 
 }  // namespace
-}  // namespace prospect
 
-int main(int argc, char** argv) {
-  CLI::App app(
-      "Takes: from the same state the same actions twice, with fresh noise; how far the pictures "
-      "differ in the end (mean absolute error, without sensor noise). Takes in which an action "
-      "fails are left out.");
-  prospect::Options options;
-  prospect::AddOptions(&app, &options);
-  return prospect::tools::RunProgram(
-      "prospect-takes", &app, argc, argv, [&] { return prospect::Run(options); },
-      prospect::kExitTaskFailure);
+int RunTakes(const cli::TakesOptions& options) {
+  Takes takes(options);
+  takes.Run();
+  if (options.report.talks()) Print(takes);
+  cli::WriteReport(options.report,
+                   {{"task", options.task},
+                    {"seed", options.seed},
+                    {"scenes", options.scenes},
+                    {"x1", {{"mae", takes.one().mean()}, {"pairs", takes.one().samples}}},
+                    {"x2", {{"mae", takes.two().mean()}, {"pairs", takes.two().samples}}}});
+  return 0;
 }
+
+}  // namespace prospect::tools

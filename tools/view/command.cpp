@@ -1,111 +1,73 @@
-// prospect-view: a picture of a task's scene, at any size and from any of its cameras, for people.
-// With --actions, after these actions; with --frames or --video, of every tick on the way. With
-// --episode the scene and the actions are those of an episode that was carried out: worlds repeat
-// bit for bit, so what is shown is what happened.
-
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/quiet.h"
 #include "sim/png.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
-#include "tools/common/scene_options.h"
+#include "tools/common/world.h"
 #include "tools/view/episode_file.h"
 #include "tools/view/people_view.h"
 #include "tools/view/video.h"
+#include "tools/world/commands.h"
 
+namespace prospect::tools {
 namespace {
 
-using namespace prospect;
-
-struct Options {
-  std::string task = "navigation";
-  std::uint64_t seed = 2'000'000;
+// What is shown: the options with what an episode's file says in their place.
+struct Shown {
+  cli::ViewOptions options;
   sim::TaskOptions world;
-  std::string out;
-  std::string frames;
-  std::string video;
-  std::string episode;
   std::string world_version;  // the episode's; empty: any
-  std::string size = "640x480";
-  std::string camera;
-  std::vector<int> actions;
-  int width = 0;
-  int height = 0;
+  int width = 0, height = 0;
 };
 
-void AddOptions(CLI::App* app, Options* options) {
-  app->add_option("--task", options->task, "The task")->capture_default_str();
-  app->add_option("--seed", options->seed, "The scene")->capture_default_str();
-  app->add_option("--out", options->out, "The picture to write (PNG)");
-  app->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-  app->add_option("--camera", options->camera,
-                  "One of the scene's cameras (default: view, or the only one)");
-  app->add_option("--actions", options->actions, "Carry these actions out first: 0,4,8")
-      ->delimiter(',');
-  app->add_option("--frames", options->frames,
-                  "A folder for a picture of every tick, 00000.png and so on");
-  app->add_option("--video", options->video, "A video of every tick to write (MP4)");
-  app->add_option("--episode", options->episode,
-                  "An episode's result.json: task, scene and actions are taken from there");
-  tools::AddSceneOptions(app, &options->world);
+Shown ShownBy(const cli::ViewOptions& options) {
+  Shown shown{options, WorldOf(options.scene), "", 0, 0};
+  std::sscanf(options.size.c_str(), "%dx%d", &shown.width, &shown.height);  // checked before
+  if (options.episode.empty()) return shown;
+  const CarriedOut episode = ReadEpisodeResult(options.episode);
+  shown.options.task = episode.task;
+  shown.options.seed = episode.seed;
+  shown.options.actions = episode.actions;
+  shown.world_version = episode.world_version;
+  if (episode.task == "navigation") shown.world.objects = episode.objects;
+  sim::SetPlanLength(episode.task, episode.plan_length, &shown.world);
+  return shown;
 }
 
-void ReadEpisode(Options* options) {
-  if (options->episode.empty()) return;
-  const tools::CarriedOut episode = tools::ReadEpisodeResult(options->episode);
-  options->task = episode.task;
-  options->seed = episode.seed;
-  options->actions = episode.actions;
-  options->world_version = episode.world_version;
-  if (episode.task == "navigation") options->world.objects = episode.objects;
-  sim::SetPlanLength(episode.task, episode.plan_length, &options->world);
-}
-
-void ReadSize(Options* options) {
-  char end = 0;
-  const int read =
-      std::sscanf(options->size.c_str(), "%dx%d%c", &options->width, &options->height, &end);
-  if (read != 2) {
-    throw std::invalid_argument("--size is '" + options->size + "': give WIDTHxHEIGHT");
-  }
-}
-
-sim::Image Take(sim::Task& task, const Options& options) {
-  return tools::PeoplesView(task, options.camera, options.width, options.height);
+sim::Image Take(sim::Task& task, const Shown& shown) {
+  return PeoplesView(task, shown.options.camera, shown.width, shown.height);
 }
 
 // A picture of every tick, as numbered files and as a video.
 class FrameWriter : public sim::FrameSink {
  public:
-  FrameWriter(sim::Task* task, const Options& options) : task_(task), options_(options) {
-    if (!options.frames.empty()) std::filesystem::create_directories(options.frames);
-    const int actions = static_cast<int>(options.actions.size());
-    if (actions > 0) bar_ = std::make_unique<tools::Progress>("actions shown", actions);
-    if (options.video.empty()) return;
-    video_ = std::make_unique<tools::Video>(options.video, 1 / task->spec().tick_seconds,
-                                            options.width, options.height);
+  FrameWriter(sim::Task* task, const Shown& shown) : task_(task), shown_(shown) {
+    if (!shown.options.frames.empty()) std::filesystem::create_directories(shown.options.frames);
+    const int actions = static_cast<int>(shown.options.actions.size());
+    if (actions > 0) bar_ = std::make_unique<Progress>("actions shown", actions);
+    if (shown.options.video.empty()) return;
+    video_ = std::make_unique<Video>(shown.options.video, 1 / task->spec().tick_seconds,
+                                     shown.width, shown.height);
   }
 
   void OnFrame(const sim::Image&, const sim::Progress& progress) override {
-    const sim::Image picture = Take(*task_, options_);
+    const sim::Image picture = Take(*task_, shown_);
     const bool under_way = progress.action_state == sim::ActionState::kRunning ||
                            progress.action_state == sim::ActionState::kIdle;
     if (bar_ && !under_way) bar_->Step();
     if (video_) video_->Add(picture);
-    if (options_.frames.empty()) return;
+    if (shown_.options.frames.empty()) return;
     char name[32];
     std::snprintf(name, sizeof name, "/%05d.png", count_++);
-    sim::WritePng(options_.frames + name, picture);
+    sim::WritePng(shown_.options.frames + name, picture);
   }
 
   void Finish() {
@@ -115,17 +77,11 @@ class FrameWriter : public sim::FrameSink {
 
  private:
   sim::Task* task_;
-  const Options& options_;
-  std::unique_ptr<tools::Video> video_;
-  std::unique_ptr<tools::Progress> bar_;
+  const Shown& shown_;
+  std::unique_ptr<Video> video_;
+  std::unique_ptr<Progress> bar_;
   int count_ = 0;
 };
-
-void RequireOutput(const Options& options) {
-  if (options.out.empty() && options.frames.empty() && options.video.empty()) {
-    throw std::invalid_argument("nothing to write: give --out, --frames or --video");
-  }
-}
 
 // What is shown is what happened only in the world in which it did.
 void RequireWorld(const sim::Task& task, const std::string& wanted) {
@@ -135,13 +91,21 @@ void RequireWorld(const sim::Task& task, const std::string& wanted) {
                               ": give its --scene-file");
 }
 
-int Run(const Options& options) {
-  const auto task = sim::MakeTask(options.task, options.world);
-  RequireWorld(*task, options.world_version);
+void Tell(const Shown& shown, const sim::Progress& progress) {
+  if (base::Quiet()) return;
+  std::printf("%s, scene %llu, %.1f s: %s %s\n", shown.options.task.c_str(),
+              static_cast<unsigned long long>(shown.options.seed), progress.time,
+              ToString(progress.outcome), progress.reason.c_str());
+}
+
+int Show(const Shown& shown) {
+  const cli::ViewOptions& options = shown.options;
+  const auto task = sim::MakeTask(options.task, shown.world);
+  RequireWorld(*task, shown.world_version);
   task->Reset(options.seed);
   const bool every_tick = !options.frames.empty() || !options.video.empty();
   std::unique_ptr<FrameWriter> writer;
-  if (every_tick) writer = std::make_unique<FrameWriter>(task.get(), options);
+  if (every_tick) writer = std::make_unique<FrameWriter>(task.get(), shown);
   const auto result = sim::RunPlan(*task, options.actions, writer.get());
   if (writer) writer->Finish();
   if (result.reason == "illegal_action") {
@@ -149,24 +113,13 @@ int Run(const Options& options) {
                                 std::to_string(options.actions[result.actions_done]) +
                                 " may not follow there");
   }
-  if (!options.out.empty()) sim::WritePng(options.out, Take(*task, options));
-  const sim::Progress progress = task->progress();
-  std::printf("%s, scene %llu, %.1f s: %s %s\n", options.task.c_str(),
-              static_cast<unsigned long long>(options.seed), progress.time,
-              ToString(progress.outcome), progress.reason.c_str());
+  if (!options.out.empty()) sim::WritePng(options.out, Take(*task, shown));
+  Tell(shown, task->progress());
   return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app("A picture of a task's scene, for people");
-  Options options;
-  AddOptions(&app, &options);
-  return tools::RunProgram("prospect-view", &app, argc, argv, [&] {
-    RequireOutput(options);
-    ReadSize(&options);
-    ReadEpisode(&options);
-    return Run(options);
-  });
-}
+int RunView(const cli::ViewOptions& options) { return Show(ShownBy(options)); }
+
+}  // namespace prospect::tools

@@ -1,0 +1,20 @@
+// prospect-evaluate: what networks and planner do on scenes that nothing was trained or tuned on,
+// and what is measured there and stored in the weights. Needs no bus.
+
+#include "cli/program.h"
+#include "tools/common/torch_main.h"
+#include "tools/evaluate/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace prospect;
+  using cli::Carries;
+  const std::vector<cli::Part> parts = {
+      Carries("run", "evaluate", tools::RunEvaluate),
+      Carries("plans", "evaluate plans", tools::RunPlans),
+      Carries("shifts", "evaluate shifts", tools::RunShifts),
+      Carries("calibrate", "evaluate calibrate", tools::RunCalibrate),
+      Carries("novelty", "evaluate novelty", tools::RunNovelty),
+      Carries("refusals", "evaluate refusals", tools::RunRefusals),
+  };
+  return tools::RunTorchMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-evaluate");
+}
