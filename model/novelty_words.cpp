@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/number_format.h"
 
 namespace prospect::model {
 namespace {
 
-std::string Number(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+using base::Number;
 
 /// "3.00 times" and what is usual, with enough digits to tell the two apart.
 std::string Compared(double value, const char* unit, double limit) {
@@ -22,7 +19,7 @@ std::string Compared(double value, const char* unit, double limit) {
 
 }  // namespace
 
-std::string InWords(const Novelty& novelty) {
+std::string DescribeNovelty(const Novelty& novelty) {
   const std::string p = "p " + Number("%.2g", novelty.p) + ": ";
   const double redrawing = novelty.residual / std::max(1e-9, novelty.residual_limit);
   const double reading = novelty.state / std::max(1e-9, novelty.state_limit);
@@ -39,7 +36,8 @@ std::string InWords(const Novelty& novelty) {
 }
 
 std::string NoveltyRefusal(const Novelty& novelty) {
-  return "this picture is unlike what the networks were trained on (" + InWords(novelty) + ")";
+  return "this picture is unlike what the networks were trained on (" + DescribeNovelty(novelty) +
+         ")";
 }
 
 }  // namespace prospect::model

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "base/quiet.h"
-#include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/heads_stage.h"
 #include "model/training/picture_stages.h"
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// Only what a result depends on goes into its key, so that changing the heads does not train the
 /// encoder anew.
-std::string KeyOf(const json& inputs) { return HexText(HashText(inputs.dump())); }
+std::string KeyOf(const json& inputs) { return base::HexText(base::HashText(inputs.dump())); }
 
 json PictureNetwork(const NetworkConfig& c) {
   return {c.image_width, c.image_height, c.hidden_channels, c.dropout, c.activation};
@@ -47,7 +47,7 @@ const std::set<std::string> kStages = {"classifier", "second-classifier", "encod
 
 void RequireKnownStages(const std::set<std::string>& stages) {
   for (const std::string& stage : stages) {
-    if (kStages.count(stage) == 0) {
+    if (!kStages.contains(stage)) {
       throw std::invalid_argument("stage '" + stage +
                                   "': known are classifier, second-classifier, encoder-decoder, "
                                   "transform and heads");
@@ -88,7 +88,7 @@ std::string StageOf(const std::string& network) {
 
 /// Whether a stage's networks begin from the weights that were given.
 bool BeginsFrom(const TrainOptions& options, const std::string& stage) {
-  return !options.from.empty() && options.fresh.count(stage) == 0;
+  return !options.from.empty() && !options.fresh.contains(stage);
 }
 
 bool TrainsHeads(const TrainConfig& config, const SampleSet& samples, const TrainOptions& options) {
@@ -141,7 +141,7 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
   if (options.stages.empty()) {
     RequireParts(file, samples, {Split::kTrain, Split::kValid, Split::kTest});
   }
-  const bool heads = options.stages.empty() || options.stages.count("heads") > 0;
+  const bool heads = options.stages.empty() || options.stages.contains("heads");
   if (heads && TrainsHeads(config, samples, options)) RequireSuccess(file, samples);
   return samples;
 }
@@ -152,7 +152,7 @@ void AddMissingExtras(const NetworkConfig& config, WeightsFile* weights) {
   neutral->NeutraliseExtras();
   for (const auto& item : neutral->named_parameters()) {
     const std::string& name = item.key();
-    if (name.rfind("modulation.", 0) != 0 && name.rfind("mask.", 0) != 0) continue;
+    if (!name.starts_with("modulation.") && !name.starts_with("mask.")) continue;
     weights->tensors.emplace("transform." + name, item.value().detach());
   }
 }
@@ -180,7 +180,7 @@ void LoadNetwork(const std::string& weights, const NetworkConfig& config, const 
 /// Hash of the classifiers' file beside a weights file; empty if there is none.
 std::string ClassifiersHash(const std::string& weights) {
   const std::string beside = ClassifiersPath(weights);
-  return fs::exists(beside) ? HexText(WeightsFileHash(beside)) : "";
+  return fs::exists(beside) ? base::HexText(WeightsFileHash(beside)) : "";
 }
 
 ProgressFn ProgressOf(const std::string& what) {
@@ -230,7 +230,7 @@ struct Trainer::Impl {
     context.networks.has_heads = TrainsHeads(c, samples, o);
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) {
-      from_hash = HexText(WeightsFileHash(o.from));
+      from_hash = base::HexText(WeightsFileHash(o.from));
       from_classifiers = ClassifiersHash(o.from);
     }
   }
@@ -246,7 +246,7 @@ struct Trainer::Impl {
   }
 
   bool Wants(const std::string& stage) const {
-    return options.stages.empty() || options.stages.count(stage) > 0;
+    return options.stages.empty() || options.stages.contains(stage);
   }
 
   /// First weights of one network: from the weights file asked for, or random, by the network's own
@@ -260,7 +260,7 @@ struct Trainer::Impl {
   }
 
   void InitialiseFresh(const std::string& prefix, torch::nn::Module* module) const {
-    torch::manual_seed(Mix64(config.seed ^ HashText(prefix)));
+    torch::manual_seed(base::Mix64(config.seed ^ base::HashText(prefix)));
     module->to(torch::kCPU);
     InitialiseGlorot(module);
     module->to(context.device);
@@ -285,7 +285,7 @@ struct Trainer::Impl {
 
   /// A stage's key says that its networks did not begin from the weights that were given.
   void AddFresh(const std::string& stage, json* inputs) const {
-    if (options.fresh.count(stage) > 0) inputs->push_back("fresh");
+    if (options.fresh.contains(stage)) inputs->push_back("fresh");
   }
   std::string BaseKey() const {
     return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});

@@ -6,18 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.h"
 #include "planner/attempts.h"
 #include "planner/tower.h"
 #include "services/binding/search_messages.h"
 
 namespace prospect::services {
 namespace {
-
-std::uint64_t Fnv1a(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3ULL;
-  return hash;
-}
 
 void Append(const std::vector<std::int32_t>& indices, std::string* text) {
   for (const auto index : indices) *text += std::to_string(index) + ',';
@@ -57,7 +52,7 @@ std::int64_t TaskHash(const task_t& task) {
   text += std::to_string(task.plan_length) + '|' + std::to_string(task.repeats_allowed) + '|';
   text += std::to_string(task.image_width) + 'x' + std::to_string(task.image_height) + '|';
   text += std::to_string(task.tick_seconds) + '|' + std::to_string(task.action_time_limit);
-  return static_cast<std::int64_t>(Fnv1a(text));
+  return static_cast<std::int64_t>(base::HashText(text));
 }
 
 planner::TaskRules RulesFromTask(const task_t& task) {
@@ -79,21 +74,14 @@ std::vector<planner::ActionWords> WordsFromTask(const task_t& task) {
   return words;
 }
 
-// What lies outside the range becomes the nearest: it came over the bus.
-int PlanLengthOf(const task_t& task, const search_root_t& root) {
-  const double given = ParameterOr(root, kPlanLength, task.plan_length);
-  return static_cast<int>(std::clamp<double>(given, 1, planner::kMaxPathLength));
-}
-
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
   planner::TaskRules rules = RulesFromTask(task);
-  const int plan_length = PlanLengthOf(task, root);
   if (root.goals.empty()) {
-    rules.plan_length = plan_length;
+    rules.plan_length = root.plan_length;
     return rules;
   }
   planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
-  return planner::RulesFor(std::move(rules), {{}, plan_length});
+  return planner::RulesFor(std::move(rules), {{}, root.plan_length});
 }
 
 std::string NamesOf(const task_t& task, const planner::Path& path) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/number_format.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
 #include "services/common/robot_hold.h"
@@ -14,12 +15,6 @@ namespace prospect::services {
 namespace {
 
 constexpr double kNoticeSeconds = 3;
-
-std::string Number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 // What is wrong with an action table; empty: nothing.
 std::string TableDefect(const task_t& task) {
@@ -41,18 +36,18 @@ std::string TableDefect(const task_t& task) {
 }  // namespace
 
 RobotCheck::RobotCheck(Bus& bus) : bus_(bus), monitor_(bus), health_(bus, "executive") {
-  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
-  bus_.Subscribe<observation_t>([this](observation_t picture) {
+  subscriptions_.push_back(bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; }));
+  subscriptions_.push_back(bus_.Subscribe<observation_t>([this](observation_t picture) {
     picture.data.clear();
     episode_id_ = picture.episode_id;
     pictures_.push_back(std::move(picture));
-  });
-  bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
+  }));
+  subscriptions_.push_back(bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
     status_ = status;
     if (status.state == action_status_t::STATE_REFUSED)
       refusals_[status.executive_id] = status.reason;
     status_ms_.push_back(SteadyMs());
-  });
+  }));
 }
 
 bool RobotCheck::Until(const Condition& condition, double seconds, const Condition& repeat) {
@@ -130,7 +125,7 @@ void RobotCheck::CheckStillness() {
     gap_ms = std::max(i == 1 ? 0 : gap_ms, status_ms_[i] - status_ms_[i - 1]);
   }
   Note("ACTION_STATUS comes at 2 Hz", status_ms_.size() >= 2 && gap_ms <= 800,
-       "longest gap " + Number(static_cast<double>(gap_ms) / 1000) + " s");
+       "longest gap " + base::Fixed(static_cast<double>(gap_ms) / 1000, 2) + " s");
   if (pictures_.empty()) return;
   const observation_t& picture = pictures_.back();
   Note("pictures are of the size that TASK says",
@@ -200,6 +195,7 @@ void RobotCheck::NewScene() {
   reset.sender_id = health_.instance_id();
   reset.command_id = ++last_scene_;
   reset.kind = sim_command_t::KIND_RESET;
+  reset.present_episode_id = before;
   reset.seed = last_scene_;
   reset.episode_id = RandomId();
   const bool new_scene = Until([&] { return episode_id_ != before; }, 1.5,
@@ -254,8 +250,9 @@ void RobotCheck::CheckAction() {
   if (!pictures_.empty()) {
     took = static_cast<double>(pictures_.back().sim_time_us - pictures_.front().sim_time_us) / 1e6;
   }
-  Note("an action ends within action_time_limit", ended && took <= task_->action_time_limit + 1,
-       task_->actions[static_cast<std::size_t>(willing_)].name + ", " + Number(took) + " s");
+  Note(
+      "an action ends within action_time_limit", ended && took <= task_->action_time_limit + 1,
+      task_->actions[static_cast<std::size_t>(willing_)].name + ", " + base::Fixed(took, 2) + " s");
   bool in_order = true, paced = true;
   for (std::size_t i = 1; i < pictures_.size(); ++i) {
     const auto step = pictures_[i].frame - pictures_[i - 1].frame;
@@ -269,7 +266,7 @@ void RobotCheck::CheckAction() {
   }
   Note("frame numbers grow one by one", in_order, std::to_string(pictures_.size()) + " pictures");
   Note("pictures of an action come one a tick", paced,
-       "a tick is " + Number(task_->tick_seconds) + " s");
+       "a tick is " + base::Fixed(task_->tick_seconds, 2) + " s");
 }
 
 // Whether a START of another executive is refused, with a reason.
@@ -327,7 +324,7 @@ void RobotCheck::CheckSilence() {
     const double seconds = static_cast<double>(SteadyMs() - start_ms) / 1000;
     silent_ = false;
     if (stopped && status_->state != action_status_t::STATE_CANCELLED) continue;
-    return Note(rule, stopped, "after " + Number(seconds) + " s");
+    return Note(rule, stopped, "after " + base::Fixed(seconds, 2) + " s");
   }
   NotTried(rule, "no action lasts so long");
 }

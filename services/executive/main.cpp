@@ -7,25 +7,29 @@
 #include <iostream>
 #include <optional>
 
+#include "agent/explanation_text.h"
 #include "base/atomic_file.h"
 #include "base/lock.h"
 #include "base/run_main.h"
+#include "planner/selection_rule.h"
+#include "report/episode_report.h"
+#include "report/episode_video.h"
+#include "report/explanation_page.h"
+#include "report/explanation_pictures.h"
+#include "report/plan_picture.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
+#include "services/executive/bus_episode.h"
 #include "services/executive/conversation.h"
-#include "services/executive/episode.h"
-#include "services/executive/episode_video.h"
-#include "services/executive/explanation_page.h"
-#include "services/executive/explanation_pictures.h"
 #include "services/executive/options.h"
-#include "services/executive/plan_picture.h"
 #include "services/executive/policy.h"
-#include "services/executive/report.h"
 
 namespace {
 
 using namespace prospect;
+using namespace prospect::report;
 using namespace prospect::services;
+using prospect::agent::EpisodeRecord;
 
 void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {
   app.add_option("--task", options.task, "refuse another than this; empty: whatever is up");
@@ -87,7 +91,7 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
       ->check(CLI::Range(0, 32))
       ->capture_default_str();
   app.add_option("--rule", search.rule, "selection rule")
-      ->check(CLI::IsMember({"paper", "puct", "puct-virtual-loss", "random"}))
+      ->check(CLI::IsMember(prospect::planner::SelectionRuleNames()))
       ->capture_default_str();
   app.add_option("--c", search.c, "exploration constant of the paper's rule")
       ->check(CLI::PositiveNumber)
@@ -124,7 +128,6 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  app.add_flag("!--no-sharing", options.sharing, "workers search apart; for comparison");
   app.add_option("--budget-ms", options.budget_ms, "time for one search; -1: none")
       ->check(CLI::Range(-1, 86400000))
       ->capture_default_str();
@@ -189,7 +192,7 @@ void Tell(const EpisodeRecord& record, const ExecutiveOptions& options, ExitCode
 }
 
 // As far as it came, so that result.json is never that of another episode.
-[[noreturn]] void EndStopped(Episode& episode, const ExecutiveOptions& options,
+[[noreturn]] void EndStopped(BusEpisode& episode, const ExecutiveOptions& options,
                              const ExitError& error) {
   try {
     Tell(episode.Stopped(error.what()), options, error.code());
@@ -201,7 +204,8 @@ void Tell(const EpisodeRecord& record, const ExecutiveOptions& options, ExitCode
 
 // Whatever ends an episode, its files are written and the exit status is a documented one.
 int RunEpisode(Conversation& talk, const ExecutiveOptions& options) {
-  Episode episode(talk, options, [](const std::string& line) { std::cout << line << std::endl; });
+  BusEpisode episode(talk, options,
+                     [](const std::string& line) { std::cout << line << std::endl; });
   EpisodeRecord record;
   try {
     record = episode.Run();

@@ -15,7 +15,8 @@ constexpr std::int64_t kRepeatMs = 250;
 }  // namespace
 
 PredictionInbox::PredictionInbox(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+  subscription_ = talk_.bus().Subscribe<predict_reply_t>(
+      [this](const predict_reply_t& reply) { OnReply(reply); });
 }
 
 void PredictionInbox::OnReply(const predict_reply_t& reply) {
@@ -27,8 +28,8 @@ void PredictionInbox::OnReply(const predict_reply_t& reply) {
   awaited_.erase(awaited);
 }
 
-std::map<planner::Path, Picture> PredictionInbox::Fetch(const search_root_t& root,
-                                                        const std::vector<planner::Path>& paths) {
+std::map<planner::Path, agent::Picture> PredictionInbox::Fetch(
+    const search_root_t& root, const std::vector<planner::Path>& paths) {
   awaited_.clear();
   pictures_.clear();
   refusal_.clear();

@@ -67,7 +67,7 @@ class Prediction {
   Prediction(Conversation& talk, const cli::PredictOptions& options)
       : talk_(talk), options_(options), inbox_(talk), watch_(talk) {}
 
-  FuturesSheet Run() {
+  report::FuturesSheet Run() {
     const ExecutiveOptions wanted = ServicesOnly(options_);
     if (options_.seed >= 0) talk_.view().FollowSeed(options_.seed);  // from its first picture on
     AwaitServices(talk_, wanted);
@@ -80,8 +80,8 @@ class Prediction {
     if (pictures.empty()) {
       throw ExitError(kExitServiceLost, "no predicted picture came; see the model server's log");
     }
-    const std::map<Path, Picture> truths =
-        options_.truth > 0 ? AwaitTruth() : std::map<Path, Picture>();
+    const std::map<Path, agent::Picture> truths =
+        options_.truth > 0 ? AwaitTruth() : std::map<Path, agent::Picture>();
     return SheetOf(pictures, truths);
   }
 
@@ -116,7 +116,8 @@ class Prediction {
     return oldest;
   }
 
-  static void TakePicture(const Picture& picture, std::int64_t frame, observation_t* observation) {
+  static void TakePicture(const agent::Picture& picture, std::int64_t frame,
+                          observation_t* observation) {
     observation->frame = frame;
     observation->data = picture.rgb;
   }
@@ -131,7 +132,7 @@ class Prediction {
       now_ = watch_.Find(options_.segment);
       if (!now_ || options_.from_start) now_ = watch_.Latest();
       if (!now_ || now_->number < options_.segment) return false;
-      if (view().frames().count(now_->frame) == 0) return false;
+      if (!view().frames().contains(now_->frame)) return false;
       const bool same = before && view().episode_id() == episode && now_->number == before->number;
       return !(options_.from_start && same);
     };
@@ -176,8 +177,8 @@ class Prediction {
   }
 
   /// What the camera saw where the action under way ended, and the one after it.
-  std::map<Path, Picture> AwaitTruth() {
-    std::map<Path, Picture> truths;
+  std::map<Path, agent::Picture> AwaitTruth() {
+    std::map<Path, agent::Picture> truths;
     if (!now_) return truths;
     const auto known = [this] { return Ending(now_->number + 1) || watch_.over(); };
     talk_.Until(known, static_cast<std::int64_t>(1000 * options_.truth));
@@ -199,22 +200,22 @@ class Prediction {
     std::optional<std::int64_t> frame;
     if (next) frame = next->frame;
     if (!next && watch_.over() && watch_.Find(number)) frame = watch_.last_frame();
-    if (!frame || view().frames().count(*frame) == 0) return std::nullopt;
+    if (!frame || !view().frames().contains(*frame)) return std::nullopt;
     return frame;
   }
 
-  FuturesSheet SheetOf(const std::map<Path, Picture>& pictures,
-                       const std::map<Path, Picture>& truths) const {
+  report::FuturesSheet SheetOf(const std::map<Path, agent::Picture>& pictures,
+                               const std::map<Path, agent::Picture>& truths) const {
     const task_t& task = *view().task();
-    FuturesSheet sheet;
+    report::FuturesSheet sheet;
     sheet.title = "What comes next: " + task.name + " (" + task.world_version + ")";
     sheet.seen = PictureOf(present_);
     for (const Path& path : paths_) {
       const auto found = pictures.find(path);
       if (found == pictures.end()) continue;
       const auto truth = truths.find(path);
-      sheet.futures.push_back(
-          {WordsOf(task, path), found->second, truth == truths.end() ? Picture() : truth->second});
+      sheet.futures.push_back({WordsOf(task, path), found->second,
+                               truth == truths.end() ? agent::Picture() : truth->second});
     }
     sheet.caption = "Seen: frame " + std::to_string(present_.frame) + " of episode " +
                     std::to_string(present_.episode_id) +
@@ -242,7 +243,7 @@ class Prediction {
 
 }  // namespace
 
-FuturesSheet Predict(Conversation& talk, const cli::PredictOptions& options) {
+report::FuturesSheet Predict(Conversation& talk, const cli::PredictOptions& options) {
   return Prediction(talk, options).Run();
 }
 

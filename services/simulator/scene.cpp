@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/sensor_noise.h"
 #include "services/binding/task_messages.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::services {
 namespace {
@@ -50,6 +50,8 @@ task_t MakeTaskMessage(const sim::TaskSpec& spec) {
   task.image_height = spec.image_height;
   task.tick_seconds = spec.tick_seconds;
   task.action_time_limit = spec.action_time_limit;
+  for (const sim::CauseSpec& cause : spec.causes) task.causes.push_back({cause.name, cause.words});
+  task.num_causes = static_cast<std::int32_t>(task.causes.size());
   task.task_hash = TaskHash(task);
   return task;
 }
@@ -134,7 +136,7 @@ void Scene::Tick() {
 
 void Scene::Capture(std::int64_t frame, bool segment_end) {
   sim::Image image = task_->Observe();
-  sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, options_.image_noise);
+  base::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, options_.image_noise);
   const auto progress = task_->progress();
 
   observation_ = observation_t{};

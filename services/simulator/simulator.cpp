@@ -44,10 +44,12 @@ Simulator::Simulator(Bus& bus, const SimulatorOptions& options)
       std::chrono::duration<double>(TickSeconds(options_, scene_.task())));
   status_.action = -1;
   FollowTask();
-  bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); });
-  bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnSimCommand(command); });
-  bus_.Subscribe<action_command_t>(
-      [this](const action_command_t& command) { OnActionCommand(command); });
+  subscriptions_.push_back(
+      bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); }));
+  subscriptions_.push_back(bus_.Subscribe<sim_command_t>(
+      [this](const sim_command_t& command) { OnSimCommand(command); }));
+  subscriptions_.push_back(bus_.Subscribe<action_command_t>(
+      [this](const action_command_t& command) { OnActionCommand(command); }));
   health_.SetState(health_t::STATE_READY);
 }
 
@@ -58,6 +60,12 @@ void Simulator::OnSimCommand(const sim_command_t& command) {
     spdlog::warn("command of {} refused: {}", command.sender_id, busy);
     bus_.CountRefused(ChannelOf<sim_command_t>(), "busy");
     return PublishStatus();  // which says who holds it
+  }
+  if (command.present_episode_id != scene_.episode_id()) {
+    spdlog::warn("command of {} refused: meant for episode {}, here is {}", command.sender_id,
+                 command.present_episode_id, scene_.episode_id());
+    bus_.CountRefused(ChannelOf<sim_command_t>(), "another episode");
+    return PublishStatus();  // which says what is here
   }
   if (command.kind == sim_command_t::KIND_RESET) return Reset(command);
   hold_.Take(command.sender_id, SteadyMs());

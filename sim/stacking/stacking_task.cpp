@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/random.h"
 #include "sim/stacking/action_table.h"
 #include "sim/tabletop/scene_file.h"
 
@@ -66,6 +67,7 @@ TaskSpec MakeSpec(const TaskOptions& options, const TabletopDescription& descrip
   spec.actions = StackingActions(names);
   spec.successors = StackingSuccessors(blocks);
   spec.repeats_allowed = true;
+  spec.causes = StackingCauses();
   spec.landmarks = names;
   spec.landmarks.insert(spec.landmarks.end(), {"obstacle", "gripper"});
   spec.plan_length = kStackingKinds * (options.tower - 1);
@@ -113,7 +115,7 @@ StackingTask::StackingTask(const TaskOptions& options)
 
 void StackingTask::Reset(std::uint64_t seed) {
   ResetTo(DrawStackingScene(seed, blocks(), obstacle_height_, parameters_),
-          MixSeeds({seed, kNoiseStream}));
+          base::MixSeeds({seed, kNoiseStream}));
 }
 
 void StackingTask::ResetTo(const StackingScene& scene, std::uint64_t noise_seed) {
@@ -146,9 +148,9 @@ bool StackingTask::StartAction(int action) {
   progress.action = action;
   progress.action_state = ActionState::kRunning;
   ++progress.segment;
-  trial_.history = MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
+  trial_.history = base::MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
   trial_.controller.Begin(world_, parameters_, StackingActionAt(action, blocks()),
-                          Random(MixSeeds({trial_.noise_seed, trial_.history})));
+                          base::Random(base::MixSeeds({trial_.noise_seed, trial_.history})));
   return true;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/needle.h"
 
@@ -58,6 +58,9 @@ TaskSpec MakeSpec(const TaskOptions& options, const SuturingParameters& p) {
   spec.actions = SuturingActions();
   spec.successors = SuturingSuccessors();
   spec.repeats_allowed = true;
+  spec.causes = {{"time", "it ran out of time"},
+                 {"dropped(needle)", "it dropped the needle"},
+                 {"missed(entry)", "the needle went in beside its dot"}};
   spec.landmarks = {"right hand", "left hand", "needle tip", "needle tail"};
   spec.plan_length = 2 + 4 * p.throws;  // G1, G5, then G2, G3, G6, G4 a throw, the last with G11
   spec.image_width = 128;
@@ -92,7 +95,7 @@ void SuturingTask::Reset(std::uint64_t seed) {
   endoscope_.reset();
   world_.Place(scene_.hands, scene_.needle);
   trial_ = Trial();
-  trial_.noise_seed = MixSeeds({seed, kNoiseStream});
+  trial_.noise_seed = base::MixSeeds({seed, kNoiseStream});
   trial_.last_done = spec_.null_action();
   trial_.progress.action = spec_.null_action();
   trial_.progress.previous_action = spec_.null_action();
@@ -115,9 +118,9 @@ bool SuturingTask::StartAction(int action) {
   progress.action = action;
   progress.action_state = ActionState::kRunning;
   ++progress.segment;
-  trial_.history = MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
-  trial_.player.Begin(action, MixSeeds({trial_.noise_seed, trial_.history}), world_, &trial_.suture,
-                      p_, scene_.style);
+  trial_.history = base::MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
+  trial_.player.Begin(action, base::MixSeeds({trial_.noise_seed, trial_.history}), world_,
+                      &trial_.suture, p_, scene_.style);
   return true;
 }
 

@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
+#include "base/sensor_noise.h"
 #include "model/training/measures.h"
 #include "sim/rollout.h"
-#include "sim/sensor_noise.h"
 #include "tools/evaluate/engine_model.h"
 
 namespace prospect::tools {
@@ -90,7 +90,7 @@ class Pictures {
   void Note(const Path& path) {
     const std::vector<std::uint8_t> truth = task_.Observe().rgb;
     const auto imagined =
-        engine_.DecodeOnto(seen_.data(), model_.Predict({}).h, {model_.Predict(path).h}).at(0);
+        engine_.DecodeOnto(seen_, model_.Predict({}).h, {model_.Predict(path).h}).at(0);
     found_.push_back(
         {{"depth", path.size()}, {"error", Error(imagined, truth)}, {"copy", Error(seen_, truth)}});
   }
@@ -242,7 +242,7 @@ PlanScene ScorePlans(sim::Task& task, model::Engine& engine, std::uint64_t scene
                      double image_noise, const std::vector<PlanOutcome>& outcomes, int runs) {
   task.Reset(scene_seed);
   std::vector<std::uint8_t> seen = task.Observe().rgb;
-  sim::AddSensorNoise(seen.data(), seen.size(), scene_seed, 0, image_noise);
+  base::AddSensorNoise(seen.data(), seen.size(), scene_seed, 0, image_noise);
   EngineModel model(&engine);
   model.SetFirst(seen);
   model.SetRoot(seen, task.spec().null_action());

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/hash.h"
 #include "base/lock.h"
 #include "base/quiet.h"
 #include "cli/program.h"
@@ -18,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Options = cli::FiguresOptions;
+using report::Page;
 
 // Whether a figure asks V, Q, p or f.
 bool Judges(const std::string& name) {
@@ -25,11 +27,8 @@ bool Judges(const std::string& name) {
 }
 
 std::string About(const Options& options, const Studio& studio) {
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx",
-                static_cast<unsigned long long>(studio.own.engine->weights_hash()));
   return "Task " + options.task + "; weights " + fs::path(studio.weights).filename().string() +
-         " (hash " + hash + "), data set " + fs::path(studio.data).filename().string() +
+         " (hash " + base::HexText(studio.own.engine->weights_hash()) + "), data set " + fs::path(studio.data).filename().string() +
          ", test trials only; `./prospect figures --task " + options.task + " --seed " +
          std::to_string(options.seed) + " --trials " + std::to_string(options.trials) +
          " --samples " + std::to_string(options.samples) + "`.";

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "base/lock.h"
 #include "base/quiet.h"
 #include "base/stop_signals.h"
-#include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
@@ -117,7 +117,7 @@ class Tables {
                                 data_.every,
                                 data_.trials,
                                 data_.paper_tail};
-    return model::HexText(model::HashText(key.dump()));
+    return base::HexText(base::HashText(key.dump()));
   }
 
   std::vector<Row> RowsOf(const std::string& what, const std::string& weights,

@@ -112,7 +112,7 @@ TEST(CompareRedrawn, LightAloneIsNoDifference) {
   std::vector<std::uint8_t> redrawn(64 * 64 * 3), picture;
   for (auto& value : redrawn) value = static_cast<std::uint8_t>(2 * (random() % 100));
   for (const auto value : redrawn) picture.push_back(static_cast<std::uint8_t>(value / 2));
-  const NoveltySample dark = CompareRedrawn(picture.data(), redrawn, 64, 64, {1, 2});
+  const NoveltySample dark = CompareRedrawn(picture, redrawn, 64, 64, {1, 2});
   EXPECT_NEAR(dark.error, 0, 1e-6);
   EXPECT_EQ(dark.residual.size(), 192u);
   EXPECT_EQ(dark.state, Hidden({1, 2}));
@@ -124,24 +124,24 @@ TEST(CompareRedrawn, APatchIsFoundWhereItIs) {
   for (int y = 16; y < 24; ++y) {
     for (int x = 40; x < 48; ++x) picture[static_cast<std::size_t>(y * 64 + x) * 3 + 1] = 200;
   }
-  const NoveltySample sample = CompareRedrawn(picture.data(), redrawn, 64, 64, {});
+  const NoveltySample sample = CompareRedrawn(picture, redrawn, 64, 64, {});
   const auto most = std::max_element(sample.residual.begin(), sample.residual.end());
   EXPECT_EQ(most - sample.residual.begin(), (2 * 8 + 5) * 3 + 1);
   EXPECT_NEAR(*most, 100.0 / 255, 0.01);
-  EXPECT_THROW(CompareRedrawn(picture.data(), redrawn, 60, 64, {}), std::invalid_argument);
+  EXPECT_THROW(CompareRedrawn(picture, redrawn, 60, 64, {}), std::invalid_argument);
 }
 
-TEST(InWords, NamesWhatStandsOutAndItsLimit) {
+TEST(DescribeNovelty, NamesWhatStandsOutAndItsLimit) {
   Novelty novelty{0.002, 0.051, 0.02, 3.0, 1.2, 1.0, 1.3};
   EXPECT_EQ(NoveltyRefusal(novelty),
             "this picture is unlike what the networks were trained on (p 0.002: it cannot be "
             "redrawn: error 0.051, 99 % of known pictures stay below 0.020)");
   novelty.error = 0.01;
-  EXPECT_EQ(InWords(novelty),
+  EXPECT_EQ(DescribeNovelty(novelty),
             "p 0.002: it cannot be redrawn: parts of it differ 3.00 times as much as usual, 99 % "
             "of known pictures stay below 1.20");
   novelty.state = 9;
-  EXPECT_EQ(InWords(novelty),
+  EXPECT_EQ(DescribeNovelty(novelty),
             "p 0.002: its hidden state lies 9.00 times as far out as usual, 99 % of known pictures "
             "stay below 1.30");
 }
