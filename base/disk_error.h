@@ -1,16 +1,17 @@
 #pragma once
 
 #include <cstring>
-#include <stdexcept>
 #include <string>
+
+#include "base/exit_error.h"
 
 namespace prospect::base {
 
 /// A file or folder cannot be written: the disk is full, the folder is missing or read-only, or
-/// somebody else is using it. The message names it and says why. Programs end with exit code 13.
-class DiskError : public std::runtime_error {
+/// somebody else is using it. The message names it and says why.
+class DiskError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit DiskError(const std::string& message) : ExitError(kExitDisk, message) {}
 };
 
 /// Throws DiskError for `path` with the reason `error`, a value of errno.

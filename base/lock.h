@@ -6,7 +6,7 @@
 
 namespace prospect::base {
 
-/// Somebody else is using a file or folder; the message names both. Exit code 13.
+/// Somebody else is using a file or folder; the message names both.
 class InUseError : public DiskError {
  public:
   using DiskError::DiskError;

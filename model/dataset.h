@@ -34,9 +34,9 @@ namespace prospect::model {
 
 /// A data file that is missing, damaged, not ours, or a trial that breaks the rules. The message
 /// names the file and says what to do.
-class DataError : public std::runtime_error {
+class DataError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit DataError(const std::string& message) : ExitError(kExitDataFile, message) {}
 };
 
 using base::DiskError;

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <stdexcept>
+#include <string>
+
+#include "base/exit_error.h"
 
 namespace prospect::model {
 
 /// A weights file that is missing, damaged, or of another task or shape. The message names file and
 /// reason.
-class WeightsError : public std::runtime_error {
+class WeightsError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit WeightsError(const std::string& message) : ExitError(kExitWeights, message) {}
 };
 
 }  // namespace prospect::model

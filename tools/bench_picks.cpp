@@ -138,7 +138,7 @@ json Row(double noise, const std::vector<Pair>& pairs, const Options& options) {
         reason.empty() ? ++successes : ++failures[reason];
         progress.Step();
       });
-  if (extent.stopped()) throw tools::Interrupted(extent.Words("picks"));
+  if (extent.stopped()) throw Interrupted(extent.Words("picks"));
   const tools::Share share = tools::ShareOf(successes, scenes);
   return {{"noise", noise},       {"scenes", scenes}, {"successes", successes},
           {"share", share.value}, {"low", share.low}, {"high", share.high},

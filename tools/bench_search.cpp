@@ -19,6 +19,7 @@
 #include "planner/search.h"
 #include "tools/bench/cpu_clock.h"
 #include "tools/bench/simulated_arms.h"
+#include "tools/common/program.h"
 
 namespace {
 
@@ -194,25 +195,12 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App* search = app.add_subcommand("search", "The search alone, with scripted models");
   AddOptions(search, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  const auto run = [&] {
     const json report = Measure(options);
     Print(report);
     Write(options.json_file, report.dump(2) + '\n');
     Write(options.csv_file, tools::ArmsAsCsv(report["rows"]));
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
-    return 2;
-  } catch (const base::DiskError& error) {
-    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
-    return 13;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-bench: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  };
+  return tools::RunProgram("prospect-bench", &app, argc, argv, run, kExitUnexpected);
 }

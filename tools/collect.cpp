@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -12,7 +11,7 @@
 #include "tools/collect/collector.h"
 #include "tools/collect/gesture_videos.h"
 #include "tools/common/causes.h"
-#include "tools/common/extent.h"
+#include "tools/common/program.h"
 
 namespace {
 
@@ -152,32 +151,14 @@ int RunVideos(const CLI::App& app, const Options& all) {
   return 0;
 }
 
-int Refuse(const std::exception& error, int code) {
-  std::cerr << "prospect-collect: " << error.what() << '\n';
-  return code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Record random trials of a task as a data set");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return tools::RunProgram("prospect-collect", &app, argc, argv, [&] {
     if (options.format == "jigsaws") return RunVideos(app, options);
     return Run(options.collect, options.json_file);
-  } catch (const tools::CollectUsageError& error) {
-    return Refuse(error, 2);
-  } catch (const tools::Interrupted& error) {
-    return Refuse(error, tools::kExitInterrupted);
-  } catch (const model::DataError& error) {
-    return Refuse(error, 14);
-  } catch (const std::exception& error) {
-    return Refuse(error, 13);
-  }
+  });
 }

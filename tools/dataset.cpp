@@ -1,13 +1,7 @@
 // prospect-dataset: what a data set holds, joining trial files, a sheet of its pictures
 // (docs/training.md).
 
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -17,9 +11,11 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/child_process.h"
 #include "base/json_file.h"
 #include "model/dataset.h"
 #include "sim/png.h"
+#include "tools/common/program.h"
 #include "tools/dataset/info.h"
 #include "tools/dataset/sheet.h"
 
@@ -28,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kExitUsage = 2, kExitDisk = 13, kExitData = 14;
+constexpr int kSignalled = 128;  // and the signal: the status of what one has ended
 
 int Info(const std::string& path, const std::string& json_file) {
   const tools::DataSetInfo info = tools::Inspect(model::TrialFile(path));
@@ -108,16 +104,8 @@ void AddCommands(CLI::App* app, Arguments* a) {
   sheet->add_option("--seed", a->seed, "which trials are drawn");
 }
 
-int RunGuarded(const CLI::App& app, const Arguments& a) {
-  try {
-    return Dispatch(app, a);
-  } catch (const model::DataError& error) {
-    std::fprintf(stderr, "prospect-dataset: %s\n", error.what());
-    return kExitData;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-dataset: %s\n", error.what());
-    return kExitDisk;
-  }
+int RunHere(const CLI::App& app, const Arguments& a) {
+  return RunMain([&] { return Dispatch(app, a); }, "prospect-dataset", kExitDisk);
 }
 
 // What a child that crashed left of the data set it wrote: whoever takes the same name next,
@@ -133,25 +121,20 @@ void RemoveHalf(const std::string& out) {
 
 // libhdf5 crashes on some damaged files (its H5Ocopy above all), so that a child does the work.
 int RunApart(const CLI::App& app, const Arguments& a) {
-  const pid_t child = fork();
-  if (child < 0) return RunGuarded(app, a);
-  if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const int code = RunGuarded(app, a);
+  const auto work = [&] {
+    const int code = RunHere(app, a);
     std::fflush(nullptr);
-    _exit(code);
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
+    return code;
+  };
+  const int status = base::ChildProcess(work).Wait();
+  if (status <= kSignalled) return status;
   RemoveHalf(a.out);
   std::fprintf(
       stderr,
       "prospect-dataset: libhdf5 was stopped by '%s' on a damaged file: leave out files in "
       "turn to find it, and make it anew\n",
-      strsignal(WTERMSIG(status)));
-  return kExitData;
+      strsignal(status - kSignalled));
+  return kExitDataFile;
 }
 
 }  // namespace
@@ -161,11 +144,6 @@ int main(int argc, char** argv) {
   CLI::App app("Data sets: what they hold, joining them, a sheet of their pictures.");
   prospect::Arguments arguments;
   prospect::AddCommands(&app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : prospect::kExitUsage;
-  }
-  return prospect::RunApart(app, arguments);
+  return prospect::tools::RunProgram("prospect-dataset", &app, argc, argv,
+                                     [&] { return prospect::RunApart(app, arguments); });
 }

@@ -15,4 +15,4 @@ target_link_libraries(prospect_figures_lib PUBLIC prospect_evaluate_lib prospect
   PRIVATE opencv_core opencv_imgproc)
 add_executable(prospect-figures ${figures}/main.cpp)
 prospect_target(prospect-figures)
-target_link_libraries(prospect-figures PRIVATE prospect_figures_lib prospect_tools_guarded CLI11::CLI11)
+target_link_libraries(prospect-figures PRIVATE prospect_figures_lib prospect_torch_main CLI11::CLI11)

@@ -4,18 +4,15 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 
-#include "model/dataset.h"
 #include "model/jigsaws/gestures.h"
+#include "tools/common/program.h"
 #include "tools/jigsaws/converter.h"
 
 namespace {
 
 using prospect::tools::JigsawsOptions;
-
-constexpr int kExitUsage = 2, kExitDisk = 13, kExitData = 14, kExitInterrupted = 130;
 
 std::atomic<bool> stop{false};
 
@@ -75,7 +72,10 @@ void AddOptions(CLI::App* app, Arguments* a) {
       ->capture_default_str();
 }
 
-int Run(const Arguments& a) {
+int Run(Arguments a) {
+  if (!a.user.empty()) a.options.hold_out.user = a.user[0];
+  std::signal(SIGINT, [](int) { stop = true; });
+  std::signal(SIGTERM, [](int) { stop = true; });
   const auto say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   const auto report = prospect::tools::ConvertJigsaws(a.options, say, &stop);
   std::printf("%zu trials, %lld frames in %s", report.trials, static_cast<long long>(report.frames),
@@ -84,38 +84,12 @@ int Run(const Arguments& a) {
   return 0;
 }
 
-int Tell(const std::exception& error, int code) {
-  std::fprintf(stderr, "prospect-jigsaws: %s\n", error.what());
-  return code;
-}
-
-int RunGuarded(const Arguments& a) {
-  try {
-    return Run(a);
-  } catch (const prospect::model::DataError& error) {
-    return Tell(error, kExitData);
-  } catch (const std::invalid_argument& error) {
-    return Tell(error, kExitUsage);
-  } catch (const prospect::tools::Interrupted& error) {
-    return Tell(error, kExitInterrupted);
-  } catch (const std::exception& error) {
-    return Tell(error, kExitDisk);
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(kHelp);
   Arguments arguments;
   AddOptions(&app, &arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  if (!arguments.user.empty()) arguments.options.hold_out.user = arguments.user[0];
-  std::signal(SIGINT, [](int) { stop = true; });
-  std::signal(SIGTERM, [](int) { stop = true; });
-  return RunGuarded(arguments);
+  return prospect::tools::RunProgram("prospect-jigsaws", &app, argc, argv,
+                                     [&] { return Run(arguments); });
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/run_main.h"
 #include "cli/command.h"
 #include "cli/commands/oracle.h"
 #include "cli/report_file.h"
@@ -20,7 +21,6 @@
 #include "sim/task_factory.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/world.h"
 
@@ -163,7 +163,7 @@ int Run(const Options& options) {
         progress.Step();
       });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (totals.scenes == 0) throw tools::Interrupted(extent.Words("scenes"));
+  if (totals.scenes == 0) throw Interrupted(extent.Words("scenes"));
   json report = Report(options, totals, seconds.count());
   extent.Put(&report);
   if (options.report.talks()) {
@@ -179,5 +179,5 @@ int Run(const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   if (const auto end = cli::Parse("oracle", argc, argv, options)) return *end;
-  return tools::RunProgram("prospect-oracle", [&] { return Run(options); });
+  return RunMain([&] { return Run(options); }, "prospect-oracle", kExitDisk);
 }

@@ -14,8 +14,8 @@
 #include "model/training/variants.h"
 #include "model/weights.h"
 #include "tools/common/extent.h"
-#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
+#include "tools/common/torch_main.h"
 #include "tools/tables/report.h"
 #include "tools/tables/row_cache.h"
 
@@ -255,10 +255,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
-    return code == 0 ? 0 : prospect::tools::kExitUsage;
+    return code == 0 ? 0 : prospect::kExitUsage;
   }
-  return prospect::tools::Guarded("prospect-tables", [&] {
+  const auto run = [&] {
     prospect::base::InstallStopSignals();
     return prospect::tools::Tables(arguments).Run();
-  });
+  };
+  return prospect::tools::RunTorchMain(run, "prospect-tables");
 }

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,13 +19,12 @@
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/suturing_task.h"
 #include "sim/task_factory.h"
+#include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
 
 namespace prospect {
 namespace {
-
-constexpr int kExitUsage = 2, kExitFailed = 4, kExitDisk = 13;
 
 struct Options {
   std::string task = "suturing";
@@ -155,21 +153,10 @@ int Tell(const Options& o, const Takes& takes) {
   return 0;
 }
 
-int Main(const Options& options) {
-  try {
-    Takes takes(options);
-    takes.Run();
-    return Tell(options, takes);
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
-    return kExitUsage;
-  } catch (const base::DiskError& error) {
-    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
-    return kExitDisk;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-takes: %s\n", error.what());
-    return kExitFailed;
-  }
+int Run(const Options& options) {
+  Takes takes(options);
+  takes.Run();
+  return Tell(options, takes);
 }
 
 }  // namespace
@@ -182,10 +169,7 @@ int main(int argc, char** argv) {
       "fails are left out.");
   prospect::Options options;
   prospect::AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : prospect::kExitUsage;
-  }
-  return prospect::Main(options);
+  return prospect::tools::RunProgram(
+      "prospect-takes", &app, argc, argv, [&] { return prospect::Run(options); },
+      prospect::kExitTaskFailure);
 }

@@ -20,7 +20,7 @@
 #include "model/training/variants.h"
 #include "model/training/verdict.h"
 #include "model/weights.h"
-#include "tools/common/guarded.h"
+#include "tools/common/torch_main.h"
 
 namespace prospect {
 namespace {
@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
-    return code == 0 ? 0 : prospect::tools::kExitUsage;
+    return code == 0 ? 0 : prospect::kExitUsage;
   }
-  return prospect::tools::Guarded("prospect-train", [&] { return prospect::Run(arguments); });
+  return prospect::tools::RunTorchMain([&] { return prospect::Run(arguments); }, "prospect-train");
 }

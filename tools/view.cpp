@@ -16,6 +16,7 @@
 #include "sim/png.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
+#include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
 #include "tools/view/episode_file.h"
@@ -162,24 +163,10 @@ int main(int argc, char** argv) {
   CLI::App app("A picture of a task's scene, for people");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
+  return tools::RunProgram("prospect-view", &app, argc, argv, [&] {
     RequireOutput(options);
     ReadSize(&options);
     ReadEpisode(&options);
     return Run(options);
-  } catch (const tools::EpisodeFileError& error) {
-    std::cerr << "prospect-view: " << error.what() << '\n';
-    return 14;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect-view: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect-view: " << error.what() << '\n';
-    return 13;
-  }
+  });
 }

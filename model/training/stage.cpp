@@ -281,8 +281,8 @@ class Stepper {
     for (auto& [name, value] : means) {
       value /= shards_;
       if (!std::isfinite(value)) {
-        throw std::range_error("stage " + stage_->name() + ": the loss '" + name +
-                               "' is no longer a number; lower its learning_rate");
+        throw ExitError(kExitTaskFailure, "stage " + stage_->name() + ": the loss '" + name +
+                                              "' is no longer a number; lower its learning_rate");
       }
     }
     return means;

@@ -62,8 +62,8 @@ struct StageOutcome {
 /// Writes DIR/stage-NAME.pt when finished, DIR/stage-NAME.checkpoint every `checkpoint_seconds`,
 /// and rows to DIR/curves.csv; progress with an estimate of the time left goes to stderr. Not
 /// finished only if `stop_after` ended it early. Throws base::DiskError if a file cannot be
-/// written (then it goes on from the last checkpoint when asked again), std::range_error if the
-/// loss stops being a number.
+/// written (then it goes on from the last checkpoint when asked again), ExitError
+/// (kExitTaskFailure) if the loss stops being a number.
 StageOutcome RunStage(Stage* stage, const StageRun& run);
 
 /// Only loads the finished result of `run.key`, into inference mode; not finished if there is none.

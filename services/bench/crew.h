@@ -1,10 +1,9 @@
 #pragma once
 
-#include <list>
 #include <string>
 #include <vector>
 
-#include "services/bench/child.h"
+#include "base/child_process.h"
 #include "services/executive/conversation.h"
 
 namespace prospect::services {
@@ -33,12 +32,14 @@ class Crew {
   double WorkerCpu();
 
  private:
-  void Await(const char* service, int count);
-  std::string LogName(const char* service);
+  void Await(const std::string& service, int count);
+  /// A program of ours, on the bench's bus, what it says going to a log.
+  base::ChildProcess Start(const std::string& program, const std::string& service,
+                           const std::vector<std::string>& arguments);
 
   Conversation& talk_;
   std::string logs_;
-  std::list<Child> servers_, workers_;
+  std::vector<base::ChildProcess> servers_, workers_;
   int started_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_loop.h"
 #include "services/bench/plot.h"
@@ -20,6 +21,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 using nlohmann::json;
 

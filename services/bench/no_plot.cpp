@@ -1,8 +1,7 @@
 // For builds without OpenCV.
 
+#include "base/exit_error.h"
 #include "services/bench/plot.h"
-#include "services/common/exit_codes.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 

@@ -5,12 +5,13 @@
 #include <cstdio>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "services/check_robot/robot_check.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 const char* Word(RobotFinding::Verdict verdict) {

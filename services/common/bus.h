@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "base/exit_error.h"
 #include "lcmtypes/checked_codec.h"
 #include "lcmtypes/validate.h"
 #include "services/common/bus_key.h"
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
 #include "services/common/raw_message.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "services/common/run_main.h"
+#include "base/exit_error.h"
 
 namespace prospect::services {
 namespace {

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "base/atomic_file.h"
+#include "base/exit_error.h"
 #include "services/common/ids.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {

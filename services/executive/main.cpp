@@ -9,8 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/executive/conversation.h"
 #include "services/executive/episode.h"
@@ -24,6 +24,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 void AddSceneOptions(CLI::App& app, ExecutiveOptions& options) {

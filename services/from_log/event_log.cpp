@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "base/exit_error.h"
 #include "services/common/authenticity.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "model/dataset.h"
-#include "services/common/run_main.h"
 #include "services/from_log/log_importer.h"
 
 namespace prospect::services {
@@ -141,5 +141,5 @@ int Run(int argc, char** argv) {
 }  // namespace prospect::services
 
 int main(int argc, char** argv) {
-  return prospect::services::RunMain([&] { return prospect::services::Run(argc, argv); });
+  return prospect::RunMain([&] { return prospect::services::Run(argc, argv); });
 }

@@ -3,11 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/exit_error.h"
 #include "model/caching_engine.h"
 #include "model/recorded_engine.h"
 #include "model/scripted_engine.h"
-#include "services/common/exit_codes.h"
-#include "services/common/run_main.h"
 #include "services/model/scripted_tree_engine.h"
 
 namespace prospect::services {

@@ -7,15 +7,16 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/run_main.h"
 #include "services/common/common_options.h"
 #include "services/common/health_monitor.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/model/engine_choice.h"
 #include "services/model/model_server.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 struct Options {

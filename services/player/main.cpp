@@ -2,15 +2,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/run_main.h"
 #include "model/dataset.h"
 #include "model/jigsaws/gestures.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/player/player.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 struct Options {

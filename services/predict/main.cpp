@@ -7,14 +7,15 @@
 #include <limits>
 
 #include "base/lock.h"
+#include "base/run_main.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/executive/conversation.h"
 #include "services/predict/futures_picture.h"
 #include "services/predict/prediction.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 namespace fs = std::filesystem;
 

@@ -4,13 +4,13 @@
 #include <optional>
 #include <vector>
 
+#include "base/exit_error.h"
 #include "lcmtypes/checked_codec.h"
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/search_table.h"
 #include "services/binding/shared_search.h"
 #include "services/binding/statistics_messages.h"
 #include "services/binding/task_messages.h"
-#include "services/common/run_main.h"
 #include "services/from_log/event_log.h"
 #include "services/worker/journal.h"
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "services/binding/search_table.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/from_log/event_log.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
@@ -18,6 +18,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 using nlohmann::json;
 

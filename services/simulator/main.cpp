@@ -3,14 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/run_main.h"
 #include "services/common/common_options.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/simulator/simulator.h"
 #include "sim/task_factory.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 // How pictures are to differ from those of trials (sim/shift.h).

@@ -11,13 +11,13 @@
 #include <iostream>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/common_options.h"
 #include "services/common/health.h"
 #include "services/common/health_monitor.h"
 #include "services/common/host_filter.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/spy/bus_survey.h"
 #include "services/spy/service_wait.h"
@@ -266,5 +266,5 @@ int Run(int argc, char** argv) {
 }  // namespace prospect::services
 
 int main(int argc, char** argv) {
-  return prospect::services::RunMain([&] { return prospect::services::Run(argc, argv); });
+  return prospect::RunMain([&] { return prospect::services::Run(argc, argv); });
 }

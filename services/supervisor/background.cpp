@@ -9,8 +9,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "base/exit_codes.h"
 #include "services/common/clock.h"
-#include "services/common/exit_codes.h"
 
 namespace prospect::services {
 namespace {
@@ -32,10 +32,10 @@ bool Await(int end) {
 
 }  // namespace
 
-std::optional<int> GoOnInBackground(Descriptor* ready) {
+std::optional<int> GoOnInBackground(base::Descriptor* ready) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
-  Descriptor here(ends[0]), there(ends[1]);
+  base::Descriptor here(ends[0]), there(ends[1]);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error(std::string("no new process: ") + std::strerror(errno));
   if (child == 0) {
@@ -55,9 +55,9 @@ std::optional<int> GoOnInBackground(Descriptor* ready) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-void SayReady(Descriptor* ready) {
+void SayReady(base::Descriptor* ready) {
   if (!*ready) return;
-  const Descriptor nothing(open("/dev/null", O_RDWR | O_CLOEXEC));
+  const base::Descriptor nothing(open("/dev/null", O_RDWR | O_CLOEXEC));
   for (const int end : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing.get(), end);
   if (write(ready->get(), "", 1) != 1) return;  // nobody waits any more
   ready->Close();

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "services/supervisor/descriptor.h"
+#include "base/descriptor.h"
 
 namespace prospect::services {
 
@@ -11,9 +11,9 @@ namespace prospect::services {
 /// @param ready in the child: for SayReady()
 /// @return nothing in the child; here, the exit status to end with: 0, or the child's
 /// @throws std::runtime_error when there can be no child
-std::optional<int> GoOnInBackground(Descriptor* ready);
+std::optional<int> GoOnInBackground(base::Descriptor* ready);
 
 /// Lets the waiting process end with 0; from now on nothing is printed where that one printed to.
-void SayReady(Descriptor* ready);
+void SayReady(base::Descriptor* ready);
 
 }  // namespace prospect::services

@@ -11,9 +11,9 @@
 #include <cstring>
 #include <thread>
 
+#include "base/exit_error.h"
 #include "services/common/bus_url.h"
 #include "services/common/clock.h"
-#include "services/common/run_main.h"
 #include "services/supervisor/facts.h"
 #include "services/supervisor/pidfd.h"
 #include "services/supervisor/state_folder.h"
@@ -52,7 +52,7 @@ class LiveSupervisor {
                                             "(another container?): ask it there");
     }
     if (holder == StateFolder::kNobody) return;
-    process_ = Descriptor(pidfd_open(holder, 0));
+    process_ = base::Descriptor(pidfd_open(holder, 0));
     if (state.Holder() != holder) process_.Close();  // it ended meanwhile
   }
 
@@ -82,7 +82,7 @@ class LiveSupervisor {
   }
 
  private:
-  Descriptor process_;
+  base::Descriptor process_;
 };
 
 int Folder(const Options& options) {

@@ -15,10 +15,10 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/run_main.h"
 #include "services/common/common_options.h"
 #include "services/common/ids.h"
 #include "services/common/log.h"
-#include "services/common/run_main.h"
 #include "services/supervisor/background.h"
 #include "services/supervisor/commands.h"
 #include "services/supervisor/facts.h"
@@ -28,6 +28,7 @@
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 struct Options {
@@ -75,7 +76,7 @@ void LogToFile(const std::string& logs) {
 }
 
 // Signals by a descriptor, so that one poll() waits for them and for the services' output.
-Descriptor OpenSignals() {
+base::Descriptor OpenSignals() {
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD, ScaleSignal()}) {
@@ -86,13 +87,13 @@ Descriptor OpenSignals() {
     sigaddset(&signals, signal);
   }
   sigprocmask(SIG_BLOCK, &signals, nullptr);
-  Descriptor opened(signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
+  base::Descriptor opened(signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK));
   if (!opened) throw std::runtime_error(std::string("no signals: ") + std::strerror(errno));
   return opened;
 }
 
 // Takes the signals that have come. @return whether to go on
-bool TakeSignals(const Descriptor& signals, Supervisor* supervisor) {
+bool TakeSignals(const base::Descriptor& signals, Supervisor* supervisor) {
   signalfd_siginfo got{};
   bool go_on = true;
   while (read(signals.get(), &got, sizeof got) == sizeof got) {
@@ -104,7 +105,8 @@ bool TakeSignals(const Descriptor& signals, Supervisor* supervisor) {
 }
 
 // Until a signal, or the end of the process `companion` watches.
-void KeepRunning(Supervisor* supervisor, const Descriptor& signals, const Descriptor& companion) {
+void KeepRunning(Supervisor* supervisor, const base::Descriptor& signals,
+                 const base::Descriptor& companion) {
   constexpr int kTurnMs = 50;
   while (true) {
     std::vector<pollfd> awaited{{signals.get(), POLLIN, 0}, {companion.get(), POLLIN, 0}};
@@ -120,8 +122,8 @@ void KeepRunning(Supervisor* supervisor, const Descriptor& signals, const Descri
   }
 }
 
-Descriptor Watch(int process) {
-  Descriptor companion(process > 0 ? pidfd_open(process, 0) : -1);
+base::Descriptor Watch(int process) {
+  base::Descriptor companion(process > 0 ? pidfd_open(process, 0) : -1);
   if (process > 0 && !companion) {
     throw ExitError(kExitUsage,
                     "--lives-with " + std::to_string(process) + ": there is no such process");
@@ -177,13 +179,13 @@ void TellWhoIsObeyed(const Options& options) {
   }
 }
 
-int Supervise(Options options, Descriptor* ready) {
-  const Descriptor companion = Watch(options.lives_with);
+int Supervise(Options options, base::Descriptor* ready) {
+  const base::Descriptor companion = Watch(options.lives_with);
   RequireKeyElsewhere(options);
   StateFolder state = TakeState(options.state);
   const std::string logs = options.logs.empty() ? state.path() + "/logs" : options.logs;
   SetIdentity(&options, state);
-  const Descriptor signals = OpenSignals();
+  const base::Descriptor signals = OpenSignals();
   if (options.background) LogToFile(logs);
   Supervisor supervisor(options.deployment, options.workers, state.path(), logs);
   TellWhoIsObeyed(options);
@@ -206,7 +208,7 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitSuccess : kExitUsage;
   }
-  Descriptor ready;
+  base::Descriptor ready;
   if (options.background) {
     if (const auto status = GoOnInBackground(&ready)) return *status;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "services/common/exit_codes.h"
+#include "base/exit_codes.h"
 
 namespace prospect::services {
 namespace {

@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/exit_error.h"
 #include "services/common/clock.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {
@@ -33,8 +33,8 @@ ServiceLog::ServiceLog(std::string path, std::int64_t max_bytes)
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("no pipe for a log: ") + std::strerror(errno));
   }
-  output_ = Descriptor(ends[0]);
-  input_ = Descriptor(ends[1]);
+  output_ = base::Descriptor(ends[0]);
+  input_ = base::Descriptor(ends[1]);
   fcntl(output_.get(), F_SETFL, O_NONBLOCK);
   std::error_code ignored;
   std::filesystem::remove(path_, ignored);
@@ -48,7 +48,7 @@ bool ServiceLog::Open() {
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path(), ignored);
   constexpr int kHow = O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW;
-  file_ = Descriptor(open(path_.c_str(), kHow, 0644));
+  file_ = base::Descriptor(open(path_.c_str(), kHow, 0644));
   struct stat found {};
   if (!file_ || fstat(file_.get(), &found) != 0) return false;
   device_ = found.st_dev;

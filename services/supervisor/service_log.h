@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "services/supervisor/descriptor.h"
+#include "base/descriptor.h"
 
 namespace prospect::services {
 
@@ -45,7 +45,7 @@ class ServiceLog {
 
   std::string path_;
   std::int64_t max_bytes_;
-  Descriptor input_, output_, file_;
+  base::Descriptor input_, output_, file_;
   dev_t device_ = 0;
   ino_t inode_ = 0;
   std::int64_t size_ = 0;       // of the file

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/exit_error.h"
 #include "services/common/bus_url.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {
@@ -45,21 +45,21 @@ std::string RuntimeFolder() {
 }
 
 // A path that may lie about what is there is no path of ours; nothing: there is none.
-Descriptor OpenFolder(const std::string& path) {
-  Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+base::Descriptor OpenFolder(const std::string& path) {
+  base::Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (folder || errno == ENOENT) return folder;
   if (errno == ENOTDIR || errno == ELOOP) Distrust(path, "it is a link or no folder");
   Distrust(path, std::strerror(errno));
 }
 
-struct stat StatOf(const Descriptor& file, const std::string& path) {
+struct stat StatOf(const base::Descriptor& file, const std::string& path) {
   struct stat found {};
   if (fstat(file.get(), &found) != 0) Distrust(path, std::strerror(errno));
   return found;
 }
 
 // In a folder like this nobody but its owner and root can put something in another's place.
-void RequireSafeParent(const Descriptor& folder, const std::string& path) {
+void RequireSafeParent(const base::Descriptor& folder, const std::string& path) {
   const struct stat found = StatOf(folder, path);
   if (found.st_uid != geteuid() && found.st_uid != 0) {
     Distrust(path, "it belongs to user " + std::to_string(found.st_uid));
@@ -68,7 +68,8 @@ void RequireSafeParent(const Descriptor& folder, const std::string& path) {
   if ((found.st_mode & kOthersMayWrite) != 0 && !sticky) Distrust(path, "others may write to it");
 }
 
-void RequireOwn(const Descriptor& folder, const std::string& path, StateFolder::IfAbsent how) {
+void RequireOwn(const base::Descriptor& folder, const std::string& path,
+                StateFolder::IfAbsent how) {
   const struct stat found = StatOf(folder, path);
   if (found.st_uid != geteuid()) {
     Distrust(path, "it belongs to user " + std::to_string(found.st_uid));
@@ -138,7 +139,7 @@ std::string MakePrivateFolder() {
 StateFolder::StateFolder(const std::string& path, IfAbsent if_absent) : path_(Absolute(path)) {
   const std::string above = std::filesystem::path(path_).parent_path().string();
   if (if_absent == IfAbsent::kMake) Make(above);
-  const Descriptor parent = OpenFolder(above);
+  const base::Descriptor parent = OpenFolder(above);
   if (!parent) return;
   RequireSafeParent(parent, above);
   if (if_absent == IfAbsent::kMake) Make(path_);
@@ -152,7 +153,7 @@ StateFolder::~StateFolder() {
 
 bool StateFolder::Lock() {
   constexpr int kHow = O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC;
-  Descriptor file(openat(folder_.get(), kLockName, kHow, S_IRUSR | S_IWUSR));
+  base::Descriptor file(openat(folder_.get(), kLockName, kHow, S_IRUSR | S_IWUSR));
   if (!file) throw ExitError(kExitDisk, path_ + "/" + kLockName + ": " + std::strerror(errno));
   struct flock lock = WholeFile();
   if (fcntl(file.get(), F_SETLK, &lock) != 0) {
@@ -173,7 +174,7 @@ int StateFolder::Holder() const {
   // Closing any descriptor of the file would give the lock up.
   if (lock_) return getpid();
   if (!folder_) return kNobody;
-  const Descriptor file(openat(folder_.get(), kLockName, O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  const base::Descriptor file(openat(folder_.get(), kLockName, O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
   struct flock lock = WholeFile();
   if (!file || fcntl(file.get(), F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return kNobody;
   return lock.l_pid > 0 ? lock.l_pid : kUnseen;
@@ -182,7 +183,7 @@ int StateFolder::Holder() const {
 std::string StateFolder::MakeKey() const {
   constexpr int kHow = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   unlinkat(folder_.get(), "key", 0);
-  const Descriptor file(openat(folder_.get(), "key", kHow, S_IRUSR | S_IWUSR));
+  const base::Descriptor file(openat(folder_.get(), "key", kHow, S_IRUSR | S_IWUSR));
   const std::string line = RandomHex() + "\n";
   if (!file || write(file.get(), line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     throw ExitError(kExitDisk, path_ + "/key cannot be written: " + std::strerror(errno));

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/supervisor/descriptor.h"
+#include "base/descriptor.h"
 
 namespace prospect::services {
 
@@ -64,7 +64,7 @@ class StateFolder {
 
  private:
   std::string path_;
-  Descriptor folder_, lock_;
+  base::Descriptor folder_, lock_;
 };
 
 }  // namespace prospect::services

@@ -10,10 +10,10 @@
 #include <thread>
 #include <utility>
 
+#include "base/exit_error.h"
 #include "base/json_file.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
-#include "services/common/run_main.h"
 #include "services/supervisor/child.h"
 
 namespace prospect::services {

@@ -2,7 +2,7 @@
 
 #include <lcm/eventlog.h>
 
-#include "services/common/run_main.h"
+#include "base/exit_error.h"
 
 namespace prospect::services {
 

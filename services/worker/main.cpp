@@ -8,14 +8,15 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/run_main.h"
 #include "services/common/common_options.h"
 #include "services/common/health_monitor.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 #include "services/worker/worker.h"
 
 namespace {
 
+using namespace prospect;
 using namespace prospect::services;
 
 // Everybody waits for the model server, so on a machine that they share workers let it go first:

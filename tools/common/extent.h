@@ -1,21 +1,21 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
+
+#include "base/exit_codes.h"
 
 namespace prospect::tools {
 
-constexpr int kExitInterrupted = 130;
-
 /// How much of some work was done. Less than all of it only after Ctrl-C or TERM
-/// (base/stop_signals.h): then programs tell and write what they have, say so, and end with 130.
+/// (base/stop_signals.h): then programs tell and write what they have, say so, and end with
+/// kExitInterrupted.
 struct Extent {
   int done = 0;
   int wanted = 0;
 
   bool stopped() const { return done < wanted; }
-  int exit_code() const { return stopped() ? kExitInterrupted : 0; }
+  int exit_code() const { return stopped() ? kExitInterrupted : kExitSuccess; }
   /// "stopped after 3 of 100 scenes"; `what`: the counted things, plural.
   std::string Words(const std::string& what) const {
     return "stopped after " + std::to_string(done) + " of " + std::to_string(wanted) + " " + what;
@@ -27,13 +27,6 @@ struct Extent {
     (*report)["stopped"] = stopped();
     (*report)["wanted"] = wanted;
   }
-};
-
-/// Work that is worth nothing by halves was stopped; the message says how far it came. Exit code
-/// 130.
-class Interrupted : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 }  // namespace prospect::tools

@@ -2,17 +2,19 @@
 
 #include <poll.h>
 #include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "base/child_process.h"
+#include "base/descriptor.h"
 #include "base/destination.h"
 #include "base/disk_error.h"
 #include "base/stop_signals.h"
@@ -23,8 +25,8 @@ namespace {
 using Work = std::function<std::string(int)>;
 
 struct Child {
-  pid_t pid = -1;
-  int fd = -1;
+  base::ChildProcess process;
+  base::Descriptor output;
   std::string pending;  // bytes of a line that has not ended yet
   std::string error;    // of the exception that ended it
   bool disk = false;    // it was a base::DiskError
@@ -39,10 +41,8 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-// Never returns: a child must not run the parent's destructors or flush its buffers.
-[[noreturn]] void RunChild(int fd, int first, int items, int jobs,
-                           const std::function<Work()>& make_work) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+// In a child. @return its exit status
+int RunChild(int fd, int first, int items, int jobs, const std::function<Work()>& make_work) {
   signal(SIGINT, SIG_IGN);  // of a terminal, which tells all of its processes: the parent decides
   signal(SIGTERM, SIG_DFL);
   try {
@@ -51,26 +51,25 @@ std::string OneLine(std::string text) {
       if (base::WriteAll(fd, std::to_string(i) + " " + work(i) + "\n") != 0)
         throw std::runtime_error("a worker process could not report its result");
     }
-    _exit(0);
+    return 0;
   } catch (const base::DiskError& error) {
     base::WriteAll(fd, std::to_string(kDiskFailed) + " " + OneLine(error.what()) + "\n");
   } catch (const std::exception& error) {
     base::WriteAll(fd, std::to_string(kFailed) + " " + OneLine(error.what()) + "\n");
   }
-  _exit(1);
+  return 1;
 }
 
 Child StartChild(int first, int items, int jobs, const std::function<Work()>& make_work) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
-  const pid_t pid = fork();
-  if (pid < 0) throw std::runtime_error(std::string("fork: ") + std::strerror(errno));
-  if (pid == 0) {
-    close(ends[0]);
-    RunChild(ends[1], first, items, jobs, make_work);
-  }
-  close(ends[1]);
-  return {pid, ends[0], "", "", false};
+  base::Descriptor output(ends[0]);
+  const base::Descriptor input(ends[1]);
+  base::ChildProcess process([&] {
+    output.Close();
+    return RunChild(input.get(), first, items, jobs, make_work);
+  });
+  return {std::move(process), std::move(output), "", "", false};
 }
 
 using OnResult = std::function<void(int, const std::string&)>;
@@ -99,22 +98,21 @@ int DeliverLines(Child* child, const OnResult& on_result) {
 bool ReadSome(Child* child) {
   char buffer[65536];
   ssize_t n;
-  while ((n = read(child->fd, buffer, sizeof buffer)) < 0 && errno == EINTR) {
+  while ((n = read(child->output.get(), buffer, sizeof buffer)) < 0 && errno == EINTR) {
   }
   if (n <= 0) return false;
   child->pending.append(buffer, static_cast<std::size_t>(n));
   return true;
 }
 
-// After a stop nothing is wrong with children that were killed.
-void Reap(const std::vector<Child>& children, bool stopped) {
+// Of children that have closed their ends. After a stop nothing is wrong with those that were
+// killed.
+void Reap(std::vector<Child>* children, bool stopped) {
+  constexpr std::chrono::seconds kLongestEnd{10};
   bool failed = false, disk = false;
   std::string error;
-  for (const Child& child : children) {
-    int status = 0;
-    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
-    }
-    failed = failed || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+  for (Child& child : *children) {
+    failed = failed || child.process.Wait(kLongestEnd) != 0;
     if (error.empty()) error = child.error, disk = child.disk;
   }
   if (!failed || stopped) return;
@@ -130,8 +128,8 @@ int RunHere(int items, const std::function<Work()>& make_work, const OnResult& o
   return done;
 }
 
-void KillAll(const std::vector<Child>& children) {
-  for (const Child& child : children) kill(child.pid, SIGKILL);
+void KillAll(std::vector<Child>* children) {
+  for (Child& child : *children) child.process.Signal(SIGKILL);
 }
 
 // Until all have ended. @return items done
@@ -140,10 +138,10 @@ int Listen(std::vector<Child>* children, const OnResult& on_result) {
   int done = 0;
   bool killed = false;
   std::vector<pollfd> open;
-  for (const Child& child : *children) open.push_back({child.fd, POLLIN, 0});
+  for (const Child& child : *children) open.push_back({child.output.get(), POLLIN, 0});
   for (std::size_t ended = 0; ended < children->size();) {
     if (base::StopRequested() && !killed) {
-      KillAll(*children);
+      KillAll(children);
       killed = true;
     }
     if (poll(open.data(), open.size(), kLookAgainMs) <= 0) continue;
@@ -153,7 +151,7 @@ int Listen(std::vector<Child>* children, const OnResult& on_result) {
       if (ReadSome(&child)) {
         done += DeliverLines(&child, on_result);
       } else {
-        close(open[j].fd);
+        child.output.Close();
         open[j].fd = -1;  // poll skips negative descriptors
         ++ended;
       }
@@ -171,7 +169,7 @@ Extent ForkMap(int items, int jobs, const std::function<Work()>& make_work,
   std::vector<Child> children;
   for (int j = 0; j < jobs; ++j) children.push_back(StartChild(j, items, jobs, make_work));
   const int done = Listen(&children, on_result);
-  Reap(children, base::StopRequested() && done < items);
+  Reap(&children, base::StopRequested() && done < items);
   return {done, items};
 }
 

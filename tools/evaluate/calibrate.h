@@ -1,10 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/exit_error.h"
 #include "model/calibration.h"
 #include "model/refusal/promise.h"
 #include "model/refusal/scene_kind.h"
@@ -43,9 +43,9 @@ model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
                                    std::vector<std::string>* words);
 
 // No threshold of these weights keeps what was asked for, or they carry no calibration sample.
-class PromiseError : public std::runtime_error {
+class PromiseError : public ExitError {
  public:
-  using std::runtime_error::runtime_error;
+  explicit PromiseError(const std::string& message) : ExitError(kExitRefusal, message) {}
 };
 
 // The threshold that the sample stored with the weights gives for `promise` in scenes of this kind;

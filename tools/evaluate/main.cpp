@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "base/json_file.h"
+#include "base/run_main.h"
 #include "model/calibration.h"
 #include "model/engine.h"
 #include "model/surprise.h"
@@ -449,22 +450,13 @@ int Main(int argc, char** argv) {
 }  // namespace prospect::tools
 
 int main(int argc, char** argv) {
-  try {
-    return prospect::tools::Main(argc, argv);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "prospect-evaluate: " << error.what() << "\n";
-    return 2;
-  } catch (const prospect::planner::GoalError& error) {
-    std::cerr << "prospect-evaluate: the goal cannot be brought about: " << error.what() << "\n";
-    return 3;
-  } catch (const prospect::tools::PromiseError& error) {
-    std::cerr << "prospect-evaluate: " << error.what() << "\n";
-    return 3;
-  } catch (const prospect::base::DiskError& error) {
-    std::cerr << "prospect-evaluate: " << error.what() << "\n";
-    return 13;
-  } catch (const std::exception& error) {
-    std::cerr << "prospect-evaluate: " << error.what() << "\n";
-    return 10;
-  }
+  const auto run = [&] {
+    try {
+      return prospect::tools::Main(argc, argv);
+    } catch (const prospect::planner::GoalError& error) {
+      throw prospect::ExitError(prospect::kExitRefusal,
+                                std::string("the goal cannot be brought about: ") + error.what());
+    }
+  };
+  return prospect::RunMain(run, "prospect-evaluate", prospect::kExitWeights);
 }

@@ -13,8 +13,8 @@
 #include "sim/task_factory.h"
 #include "tools/collect/collector.h"
 #include "tools/common/extent.h"
-#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
+#include "tools/common/torch_main.h"
 #include "tools/evaluate/first_picture.h"
 #include "tools/evaluate/scene_runs.h"
 
@@ -32,7 +32,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_flag("--calibrate-novelty", "This program: what pictures are known");
+  app->add_flag("--calibrate-novelty", std::string("This program: what pictures are known"));
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file; rewritten with the result")->required();
   app->add_option("--scenes", o->scenes,
@@ -115,6 +115,6 @@ int Main(int argc, char** argv) {
 }  // namespace prospect::tools
 
 int main(int argc, char** argv) {
-  return prospect::tools::Guarded("prospect-calibrate-novelty",
-                                  [&] { return prospect::tools::Main(argc, argv); });
+  return prospect::tools::RunTorchMain([&] { return prospect::tools::Main(argc, argv); },
+                                       "prospect-calibrate-novelty");
 }

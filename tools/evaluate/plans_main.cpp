@@ -8,8 +8,8 @@
 #include "base/json_file.h"
 #include "model/engine.h"
 #include "sim/task_factory.h"
-#include "tools/common/guarded.h"
 #include "tools/common/scene_options.h"
+#include "tools/common/torch_main.h"
 #include "tools/evaluate/plan_outcomes.h"
 #include "tools/evaluate/plan_scores.h"
 #include "tools/evaluate/scene_runs.h"
@@ -28,7 +28,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_flag("--plans", "This program: plans instead of closed loops");
+  app->add_flag("--plans", std::string("This program: plans instead of closed loops"));
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file")->required();
   app->add_option("--scenes", o->scenes, "Scenes")
@@ -115,6 +115,6 @@ int Main(int argc, char** argv) {
 }  // namespace prospect::tools
 
 int main(int argc, char** argv) {
-  return prospect::tools::Guarded("prospect-evaluate-plans",
-                                  [&] { return prospect::tools::Main(argc, argv); });
+  return prospect::tools::RunTorchMain([&] { return prospect::tools::Main(argc, argv); },
+                                       "prospect-evaluate-plans");
 }

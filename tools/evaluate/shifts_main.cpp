@@ -9,9 +9,9 @@
 #include "base/lock.h"
 #include "model/weights.h"
 #include "tools/common/fork_map.h"
-#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
+#include "tools/common/torch_main.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/scene_runs.h"
@@ -34,7 +34,7 @@ struct Options {
 
 void AddOptions(CLI::App* app, Options* o) {
   SweepOptions& sweep = o->sweep;
-  app->add_flag("--shifts", "This program: shifted pictures instead of closed loops");
+  app->add_flag("--shifts", std::string("This program: shifted pictures instead of closed loops"));
   app->add_option("--task", sweep.task, "Task")->capture_default_str();
   app->add_option("--weights", sweep.weights, "Weights file")->required();
   app->add_option("--factors", o->factors, "Which of light, camera, colour, noise")
@@ -166,6 +166,6 @@ int Main(int argc, char** argv) {
 }  // namespace prospect::tools
 
 int main(int argc, char** argv) {
-  return prospect::tools::Guarded("prospect-evaluate-shifts",
-                                  [&] { return prospect::tools::Main(argc, argv); });
+  return prospect::tools::RunTorchMain([&] { return prospect::tools::Main(argc, argv); },
+                                       "prospect-evaluate-shifts");
 }

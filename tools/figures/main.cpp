@@ -12,8 +12,8 @@
 #include "model/engine.h"
 #include "model/jigsaws/gestures.h"
 #include "model/weights_error.h"
-#include "tools/common/guarded.h"
 #include "tools/common/progress.h"
+#include "tools/common/torch_main.h"
 #include "tools/figures/calibration.h"
 #include "tools/figures/futures.h"
 #include "tools/figures/hidden_states.h"
@@ -269,8 +269,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : tools::kExitUsage;
+    return app.exit(error) == 0 ? 0 : kExitUsage;
   }
-  return tools::Guarded(
-      "prospect-figures", [&] { return figures::Main(options); }, tools::kExitFailed);
+  return tools::RunTorchMain([&] { return figures::Main(options); }, "prospect-figures",
+                             kExitTaskFailure);
 }

@@ -130,7 +130,7 @@ class Converter {
     std::vector<int> kept;
     std::vector<std::uint8_t> rgb;
     for (int frame = 1; frame <= keeps.last(); ++frame) {
-      if (stop_->load()) throw Interrupted();
+      if (stop_->load()) throw Interrupted("interrupted; nothing was written");
       const bool good =
           video->Next() && (!keeps.Keeps(frame) ||
                             video->Picture(model::jigsaws::kWidth, model::jigsaws::kHeight, &rgb));

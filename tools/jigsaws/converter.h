@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "model/jigsaws/hold_out.h"
@@ -21,12 +20,6 @@ struct JigsawsOptions {
 struct JigsawsReport {
   std::size_t trials = 0, repaired = 0, left_out = 0;
   std::int64_t frames = 0;
-};
-
-// ConvertJigsaws was told to stop.
-class Interrupted : public std::runtime_error {
- public:
-  Interrupted() : std::runtime_error("interrupted; nothing was written") {}
 };
 
 // Reads a task's folder in the layout of JIGSAWS (transcriptions/, video/NAME_capture1.avi; what

@@ -13,7 +13,7 @@
 #include "model/dataset.h"
 #include "model/weights.h"
 #include "tools/common/extent.h"
-#include "tools/common/guarded.h"
+#include "tools/common/torch_main.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/refusals/plot.h"
 #include "tools/refusals/report.h"
@@ -129,6 +129,6 @@ int Main(int argc, char** argv) {
 }  // namespace prospect::tools
 
 int main(int argc, char** argv) {
-  return prospect::tools::Guarded("prospect-evaluate-refusals",
-                                  [&] { return prospect::tools::Main(argc, argv); });
+  return prospect::tools::RunTorchMain([&] { return prospect::tools::Main(argc, argv); },
+                                       "prospect-evaluate-refusals");
 }

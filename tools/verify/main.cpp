@@ -1,9 +1,5 @@
 // prospect-verify: measures again what docs/results.md says of the bundled weights.
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -11,11 +7,11 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/child_process.h"
 #include "base/json_file.h"
 #include "base/lock.h"
+#include "tools/common/program.h"
 #include "tools/verify/figures.h"
-
-extern char** environ;
 
 namespace {
 
@@ -23,19 +19,10 @@ using namespace prospect::verify;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kExitUsage = 2, kExitFailed = 4, kExitTolerance = 5, kExitDisk = 13;
-
 struct Options {
   std::string figures, weights, held_out, work, json_file;
   bool full = false;
   int jobs = 2;
-};
-
-// A command that failed, with its own exit code.
-struct CommandFailed : std::runtime_error {
-  CommandFailed(const std::string& what, int exit_code)
-      : std::runtime_error(what), code(exit_code) {}
-  int code;
 };
 
 void AddOptions(CLI::App* app, Options* options) {
@@ -56,22 +43,12 @@ void AddOptions(CLI::App* app, Options* options) {
 }
 
 // Its stdout goes to a file; its stderr, where it shows progress, stays the terminal's.
-int RunProgram(const std::vector<std::string>& command, const std::string& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  pid_t pid = 0;
-  const int fault = posix_spawn(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (fault != 0) return 127;
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+int RunCommand(const std::vector<std::string>& command, const std::string& log) {
+  const prospect::base::Descriptor output = prospect::base::OpenOutput(log);
+  prospect::base::ChildOptions options;
+  options.command = command;
+  options.out = output.get();
+  return prospect::base::ChildProcess(options).Wait();
 }
 
 json ReadReport(const std::string& path) {
@@ -85,7 +62,6 @@ json ReadReport(const std::string& path) {
 json Measure(const Measurement& measurement, const Options& options, const std::string& folder) {
   std::map<std::string, std::string> values = options.full ? measurement.full : measurement.quick;
   const std::string report = folder + "/report.json";
-  const std::string programs = fs::read_symlink("/proc/self/exe").parent_path().string();
   values.insert({{"weights", options.weights},
                  {"held_out", options.held_out},
                  {"work", options.work},
@@ -95,12 +71,13 @@ json Measure(const Measurement& measurement, const Options& options, const std::
   fs::create_directories(folder);
   for (const auto& words : measurement.commands) {
     std::vector<std::string> command = Fill(words, values);
-    command[0] = programs + "/prospect-" + command[0];
+    command[0] = prospect::base::ProgramBeside("prospect-" + command[0]);
     const std::string log = folder + "/" + words[0] + ".log";
-    const int code = RunProgram(command, log);
+    const int code = RunCommand(command, log);
     if (code != 0) {
-      throw CommandFailed(
-          words[0] + " ended with exit code " + std::to_string(code) + "; see " + log, code);
+      throw prospect::ExitError(
+          prospect::ExitCode(code),
+          words[0] + " ended with exit code " + std::to_string(code) + "; see " + log);
     }
   }
   return ReadReport(report);
@@ -145,28 +122,7 @@ int Run(const Options& options) {
     prospect::base::WriteJsonFile(options.json_file,
                                   {{"outside", outside}, {"full", options.full}, {"rows", told}});
   }
-  return outside == 0 ? 0 : kExitTolerance;
-}
-
-int RunGuarded(const Options& options) {
-  try {
-    return Run(options);
-  } catch (const CommandFailed& error) {
-    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
-    return error.code;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
-    return kExitUsage;
-  } catch (const prospect::base::DiskError& error) {
-    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
-    return kExitDisk;
-  } catch (const fs::filesystem_error& error) {
-    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
-    return kExitDisk;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "prospect-verify: %s\n", error.what());
-    return kExitFailed;
-  }
+  return outside == 0 ? prospect::kExitSuccess : prospect::kExitTolerance;
 }
 
 }  // namespace
@@ -175,10 +131,7 @@ int main(int argc, char** argv) {
   CLI::App app("Measures again the figures that docs/results.md gives for the bundled weights.");
   Options options;
   AddOptions(&app, &options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kExitUsage;
-  }
-  return RunGuarded(options);
+  return prospect::tools::RunProgram(
+      "prospect-verify", &app, argc, argv, [&] { return Run(options); },
+      prospect::kExitTaskFailure);
 }

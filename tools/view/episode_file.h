@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/exit_error.h"
 
 namespace prospect::tools {
 
@@ -17,8 +18,8 @@ struct CarriedOut {
   std::vector<int> actions;
 };
 
-struct EpisodeFileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct EpisodeFileError : ExitError {
+  explicit EpisodeFileError(const std::string& message) : ExitError(kExitDataFile, message) {}
 };
 
 // Throws EpisodeFileError, naming the file, if it cannot be read or is no result of an episode.

@@ -376,7 +376,7 @@ TEST_F(TrainingBadInput, ALossThatIsNoNumberEndsTheStage) {
   run.folder = folder_ / "run";
   run.key = "key";
   const auto train = [&] { RunStage(&stage, run); };
-  EXPECT_THROW(train(), std::range_error);
+  EXPECT_THROW(train(), ExitError);
   ExpectTells(WhyRefused(train),
               {"stage diverging", "'l1' is no longer a number", "learning_rate"});
 }

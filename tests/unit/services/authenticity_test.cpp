@@ -11,8 +11,8 @@
 #include <numeric>
 #include <string>
 
+#include "base/exit_error.h"
 #include "lcmtypes/checked_codec.h"
-#include "services/common/run_main.h"
 
 namespace prospect::services {
 namespace {

@@ -11,7 +11,6 @@
 #include "services/common/clock.h"
 #include "services/common/ids.h"
 #include "services/common/log.h"
-#include "services/common/run_main.h"
 #include "services/common/signals.h"
 
 namespace prospect::services {
@@ -97,24 +96,13 @@ TEST(Log, RefusesUnknownLevels) {
   EXPECT_NO_THROW(SetUpLog("test", "off"));
 }
 
-TEST(RunMain, TurnsErrorsIntoExitCodes) {
-  EXPECT_EQ(RunMain([] { return 3; }), 3);
-  EXPECT_EQ(RunMain([]() -> int { throw ExitError(kExitTimeout, "late"); }), 16);
-  EXPECT_EQ(RunMain([]() -> int { throw std::runtime_error("else"); }), 1);
-}
-
 TEST(JsonFile, IsWholeOrAnErrorOfTheDisk) {
   const std::string path = testing::TempDir() + "/json_file_test.json";
   base::WriteJsonFile(path, {{"a", 1}});
   nlohmann::json read;
   std::ifstream(path) >> read;
   EXPECT_EQ(read["a"], 1);
-  try {
-    base::WriteJsonFile("/nonexistent/folder/x.json", {});
-    FAIL() << "no error";
-  } catch (const base::DiskError&) {
-    EXPECT_EQ(RunMain([]() -> int { throw base::DiskError("full"); }), kExitDisk);
-  }
+  EXPECT_THROW(base::WriteJsonFile("/nonexistent/folder/x.json", {}), base::DiskError);
 }
 
 TEST(Signals, RaiseAFlagOnce) {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/exit_error.h"
 #include "model/dataset.h"
 #include "services/common/authenticity.h"
-#include "services/common/run_main.h"
 #include "services/from_log/log_importer.h"
 #include "tests/unit/services/log_writer.h"
 

@@ -15,7 +15,7 @@
 #include <memory>
 #include <regex>
 
-#include "services/common/run_main.h"
+#include "base/exit_error.h"
 
 namespace prospect::services {
 namespace {

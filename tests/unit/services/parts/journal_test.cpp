@@ -6,12 +6,12 @@
 
 #include <filesystem>
 
+#include "base/exit_error.h"
 #include "planner/scripted_tree.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/search_table.h"
 #include "services/binding/statistics_messages.h"
 #include "services/binding/task_messages.h"
-#include "services/common/run_main.h"
 #include "services/replay/bus_replay.h"
 #include "services/replay/journal_replay.h"
 #include "services/worker/journal.h"
@@ -158,7 +158,8 @@ TEST_F(ReplayTest, AJournalRepeatsEverySelectionAndABusLogEveryTable) {
 
   const auto searches = ReplayBusLog(File("bus.lcmlog"));
   ASSERT_EQ(searches.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(TableText(searches[i].search->search()) == tables[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(TableText(searches[i].search->search()) == tables[i]);
   EXPECT_TRUE(tables[0] != tables[1]);
 }
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace prospect::services {
+namespace prospect::base {
 
 /// A file descriptor that is closed with its owner. -1: none.
 class Descriptor {
@@ -29,4 +29,4 @@ class Descriptor {
   int number_;
 };
 
-}  // namespace prospect::services
+}  // namespace prospect::base

@@ -1,11 +1,13 @@
 #pragma once
 
-namespace prospect::services {
+namespace prospect {
 
-/// What a program's exit status means, the same for every program. A shell script or a robot's
-/// supervisor decides by these numbers, so they never change.
+/// What a program's exit status means, the same for every program (docs/architecture.md). A shell
+/// script or a robot's supervisor decides by these numbers, so they never change. They lie in
+/// namespace prospect itself because every room says them.
 enum ExitCode : int {
   kExitSuccess = 0,
+  kExitUnexpected = 1,    ///< an error that nobody foresaw
   kExitUsage = 2,         ///< wrong options
   kExitRefusal = 3,       ///< the planner advises not to act; nothing was done
   kExitTaskFailure = 4,   ///< the task failed, or was given up after the first action
@@ -20,4 +22,4 @@ enum ExitCode : int {
   kExitInterrupted = 130  ///< SIGINT or SIGTERM
 };
 
-}  // namespace prospect::services
+}  // namespace prospect
