@@ -52,6 +52,7 @@ struct Command {
   std::vector<std::string> also = {};       ///< other programs that it starts
   /// Adds the options to an app. Empty: not in this table yet, what was typed goes on unread.
   std::function<Bound(CLI::App&)> define = {};
+  std::string without_opencv = {};  ///< what a build without it lacks: "has no figures"
 };
 
 /// Command::define for options that have Define() and, if need be, Defect().
@@ -68,7 +69,9 @@ std::function<Bound(CLI::App&)> Defined() {
   };
 }
 
-/// Sets an app up as all of ours are: named "./prospect NAME", the command's summary, our help.
+/// Sets an app up as all of ours are: named "./prospect NAME", with the command's summary and our
+/// help. What is no command of the table is named as it is. Of an option that is given twice the
+/// last one counts.
 void SetUp(CLI::App& app, std::string_view command);
 
 /// Parses `arguments` (without the program's name) and looks for the defect. @return the status to

@@ -80,7 +80,9 @@ bool IsShown(const CLI::Option* option) { return !option->get_group().empty(); }
 std::string Spelling(const CLI::Option& option) {
   const std::string type = TypeOf(option).first;
   if (!option.nonpositional()) return option.get_name();
-  const std::string name = option.get_name(false, true);
+  std::string name;
+  for (const std::string& letter : option.get_snames()) name += "-" + letter + ", ";
+  name += "--" + option.get_lnames().front();
   return option.get_expected_max() == 0 || type.empty() ? name : name + " " + type;
 }
 
@@ -126,7 +128,10 @@ std::string HelpOf(const CLI::App& app) {
     if (group.empty()) continue;
     text += "\n" + group + ":\n";
     for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group) text += Row(Spelling(*option), WordsOf(*option), kColumn);
+      if (option->get_group() == group && option != app.get_help_ptr())
+        text += Row(Spelling(*option), WordsOf(*option), kColumn);
+    if (group == app.get_help_ptr()->get_group())
+      text += Row(Spelling(*app.get_help_ptr()), WordsOf(*app.get_help_ptr()), kColumn);
   }
   return app.get_footer().empty() ? text : text + "\n" + app.get_footer() + "\n";
 }

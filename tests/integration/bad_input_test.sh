@@ -34,7 +34,10 @@ LC_ALL=C sed 's/"shape":\[32,8,1,1\]/"shape":[8,32,1,1]/' "$good" >shape.safeten
 LC_ALL=C sed 's/\\"task\\":\\"navigation\\"/\\"task\\":\\"stackingxx\\"/' "$good" >task.safetensors
 
 # --- Unknown options and tasks, values out of range.
-for program in worker executive check-robot oracle sim-bench picks-bench; do
+for program in executive oracle; do
+  expect 2 "unknown option '--nonsense'" prospect-$program --nonsense
+done
+for program in worker check-robot sim-bench picks-bench; do
   expect 2 'not expected: --nonsense' prospect-$program --nonsense
 done
 expect 2 'not expected: --nonsense' prospect-model-server --weights scripted --nonsense
