@@ -46,6 +46,12 @@ std::string AsRoot(const std::string& command) {
   return geteuid() == 0 ? command : "sudo " + command;
 }
 
+// Builds all; empty where there are no sources.
+std::string Setup() {
+  const std::string script = DataFolder("prospect");
+  return IsThere(script, X_OK) ? script + " setup" : "";
+}
+
 Finding Packages() {
   std::ifstream list(DataFolder("packages.txt"));
   if (!list) return {};  // installed as a package, which brings what it needs
@@ -67,7 +73,7 @@ Finding Programs() {
   const std::string folder = ProgramsFolder();
   if (IsThere(PathOf("prospect-executive"), X_OK) && IsThere(PathOf("prospect-supervisor"), X_OK))
     return {0, folder};
-  return {kExitUsage, "not built in " + folder, "./prospect setup"};
+  return {kExitUsage, "not built in " + folder, Setup()};
 }
 
 Finding Route(const std::string& bus) {
@@ -125,7 +131,7 @@ Finding Jar() {
   for (const std::string& jar :
        {ProgramsFolder() + "/../share/prospect_types.jar", DataFolder("prospect_types.jar")})
     if (IsThere(jar)) return {0, fs::weakly_canonical(jar).string()};
-  return {kExitUsage, "lcm-spy has no types of ours: not built", "./prospect setup"};
+  return {kExitUsage, "lcm-spy has no types of ours: not built", Setup()};
 }
 
 Finding Weights(const std::string& file) {
