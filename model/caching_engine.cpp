@@ -1,6 +1,6 @@
 #include "model/caching_engine.h"
 
-#include <stdexcept>
+#include <span>
 #include <utility>
 
 namespace prospect::model {
@@ -26,7 +26,7 @@ const Prediction* CachingEngine::Find(const QuestionKey& key) {
 }
 
 void CachingEngine::Keep(const QuestionKey& key, const Prediction& answer) {
-  if (index_.count(key)) return;
+  if (index_.contains(key)) return;
   entries_.push_front({key, answer});
   index_[key] = entries_.begin();
   bytes_ += BytesOf(answer);
@@ -37,26 +37,21 @@ void CachingEngine::Keep(const QuestionKey& key, const Prediction& answer) {
   }
 }
 
-QuestionKey CachingEngine::StateKey(const float* state) const {
-  return KeyOf(state, static_cast<std::size_t>(info().hidden_size) * sizeof(float));
-}
-
-Hidden CachingEngine::Encode(const std::uint8_t* rgb) {
-  if (rgb == nullptr) return inner().Encode(rgb);  // the inner engine says what is wrong
+Hidden CachingEngine::DoEncode(Pixels picture) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto pixels = static_cast<std::size_t>(info().image_width * info().image_height);
-  const QuestionKey key = Join(KeyOf(rgb, pixels * 3), kEncode);
+  const QuestionKey key = Join(KeyOf(std::as_bytes(picture)), kEncode);
   if (const Prediction* known = Find(key)) return ++hits_, known->h;
   ++misses_;
   Prediction answer;
-  answer.h = inner().Encode(rgb);
+  answer.h = inner().Encode(picture);
   Keep(key, answer);
   return answer.h;
 }
 
-Prediction CachingEngine::Evaluate(const float* h0, const float* h, int previous_action) {
+Prediction CachingEngine::DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                                     int previous_action) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const QuestionKey states = Join(StateKey(h0), StateKey(h));
+  const QuestionKey states = Join(KeyOf(std::as_bytes(h0)), KeyOf(std::as_bytes(h)));
   const QuestionKey key =
       Join(Join(states, static_cast<std::uint64_t>(previous_action)), kEvaluate);
   if (const Prediction* known = Find(key)) return ++hits_, *known;
@@ -72,14 +67,14 @@ std::vector<QuestionKey> CachingEngine::RowKeys(const std::vector<ExpandInput>& 
   const float* first = nullptr;
   QuestionKey first_key;
   for (const ExpandInput& row : rows) {
-    if (row.h0 != first) first = row.h0, first_key = StateKey(row.h0);
-    const QuestionKey states = Join(first_key, StateKey(row.h));
+    if (row.h0.data() != first) first = row.h0.data(), first_key = KeyOf(std::as_bytes(row.h0));
+    const QuestionKey states = Join(first_key, KeyOf(std::as_bytes(row.h)));
     keys.push_back(Join(Join(states, static_cast<std::uint64_t>(row.action)), kExpand));
   }
   return keys;
 }
 
-std::vector<Prediction> CachingEngine::Expand(const std::vector<ExpandInput>& rows) {
+std::vector<Prediction> CachingEngine::DoExpand(const std::vector<ExpandInput>& rows) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto keys = RowKeys(rows);
   std::vector<Prediction> answers(rows.size());

@@ -22,15 +22,17 @@ class CachingEngine : public EngineDecorator {
  public:
   CachingEngine(std::unique_ptr<Engine> inner, std::size_t bytes);
 
-  Hidden Encode(const std::uint8_t* rgb) override;
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override;
-
   /// Rows answered from memory, and rows that the inner engine computed.
   std::int64_t hits() const;
   std::int64_t misses() const;
   /// Bytes held, at most the budget.
   std::size_t bytes() const;
+
+ protected:
+  Hidden DoEncode(Pixels picture) override;
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override;
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override;
 
  private:
   struct Entry {
@@ -40,7 +42,6 @@ class CachingEngine : public EngineDecorator {
 
   const Prediction* Find(const QuestionKey& key);
   void Keep(const QuestionKey& key, const Prediction& answer);
-  QuestionKey StateKey(const float* state) const;
   std::vector<QuestionKey> RowKeys(const std::vector<ExpandInput>& rows) const;
 
   const std::size_t budget_;

@@ -86,7 +86,7 @@ constexpr char kNoveltyPrefix[] = "novelty.";
 std::uint64_t TensorsHash(const WeightsFile& file) {
   std::uint64_t hash = HashText("tensors");
   for (const auto& [name, tensor] : file.tensors) {
-    if (name.rfind(kNoveltyPrefix, 0) == 0) continue;
+    if (name.starts_with(kNoveltyPrefix)) continue;
     hash = HashText(name, hash);
     for (const std::int64_t extent : tensor.sizes()) hash = HashBytes(&extent, sizeof extent, hash);
     const torch::Tensor whole = tensor.to(torch::kHalf).contiguous();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ using Hidden = std::vector<float>;
 /// One question: what would `action` do from `h`? The states are not owned and must live through
 /// the call.
 struct ExpandInput {
-  const float* h0 = nullptr;  ///< hidden_size floats: the problem's first picture, encoded
-  const float* h = nullptr;   ///< hidden_size floats: the state the action starts from
+  std::span<const float> h0;  ///< hidden_size floats: the problem's first picture, encoded
+  std::span<const float> h;   ///< hidden_size floats: the state the action starts from
   int action = 0;             ///< 0..num_actions-1
 };
 
@@ -37,7 +38,7 @@ struct EngineInfo {
   int num_actions = 0;    ///< num_actions itself stands for "no action yet"
   int image_width = 0, image_height = 0;
   int hidden_size = 0;
-  double refusal_threshold = 0;  ///< calibration: plans that score below it are to be refused
+  double refusal_threshold = 0;   ///< calibration: plans that score below it are to be refused
   CalibrationSample calibration;  ///< for thresholds of any promise; may be empty
   /// False: the weights hold no V, Q, p and f, so they predict pictures and nothing can be
   /// searched. Evaluate and Expand then answer 0 for all four.
@@ -48,41 +49,45 @@ struct EngineInfo {
 inline constexpr const char* kPicturesOnly =
     "these weights predict pictures only: they hold no V, Q, p and f to search with";
 
+/// A picture, image_height x image_width x 3 bytes RGB, rows from the top.
+using Pixels = std::span<const std::uint8_t>;
+
 /// The learned models as the rest of the system uses them: the paper's f_enc, f_dec, T, V, Q, p, f,
 /// C.
 ///
 /// Answers are pure functions of one row's input: they do not depend on what else is asked in the
 /// same call, before it, or by how many threads. Methods may be called from several threads; they
-/// wait for each other. Inputs of a wrong size or action throw std::invalid_argument.
+/// wait for each other.
+///
+/// The public functions check every size and action, for all engines alike: what does not fit
+/// throws std::invalid_argument naming what was expected and what was given. Engines implement the
+/// protected ones, which are never given anything else.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// f_enc: a picture, image_height x image_width x 3 bytes RGB row major, to its hidden state.
-  virtual Hidden Encode(const std::uint8_t* rgb) = 0;
+  /// f_enc: a picture to its hidden state.
+  Hidden Encode(Pixels picture);
 
   /// V, Q and p of a state that was reached by really carrying out `previous_action` (num_actions =
   /// none yet). `done` is 1 and `h` empty.
-  virtual Prediction Evaluate(const float* h0, const float* h, int previous_action) = 0;
+  Prediction Evaluate(std::span<const float> h0, std::span<const float> h, int previous_action);
 
   /// For each row: h' = T(h0, h, a), then V(h'), f(h0, h', a), Q(h0, h', a, .), p(. | h0, h', a).
-  virtual std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) = 0;
+  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows);
 
-  /// f_dec: pictures of states, each image_height x image_width x 3 bytes RGB.
-  virtual std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) = 0;
+  /// f_dec: pictures of states.
+  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states);
 
-  /// f_dec of states imagined from a picture that was seen (`seen`, of the engine's size, encoded
-  /// as `start`): in its light, and showing it where imagination changes nothing. Engines that do
-  /// not paint leave it at Decode.
-  virtual std::vector<std::vector<std::uint8_t>> DecodeOnto(const std::uint8_t* /*seen*/,
-                                                            const Hidden& /*start*/,
-                                                            const std::vector<Hidden>& states) {
-    return Decode(states);
-  }
+  /// f_dec of states imagined from a picture that was seen (`seen`, encoded as `start`): in its
+  /// light, and showing it where imagination changes nothing. Engines that do not paint leave it at
+  /// Decode.
+  std::vector<std::vector<std::uint8_t>> DecodeOnto(Pixels seen, std::span<const float> start,
+                                                    const std::vector<Hidden>& states);
 
   /// C: for a picture, the probability of each action that this is the action's goal. Empty if the
   /// weights hold no classifier.
-  virtual std::vector<float> Classify(const std::uint8_t* rgb) = 0;
+  std::vector<float> Classify(Pixels picture);
 
   virtual const EngineInfo& info() const = 0;
 
@@ -92,6 +97,19 @@ class Engine {
   /// Hash of the answers to a fixed question. Equal weights on different machines may give
   /// different last bits; engines of equal fingerprint may be mixed in one search.
   virtual std::uint64_t fingerprint() const = 0;
+
+ protected:
+  virtual Hidden DoEncode(Pixels picture) = 0;
+  virtual Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                                int previous_action) = 0;
+  virtual std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) = 0;
+  virtual std::vector<std::vector<std::uint8_t>> DoDecode(const std::vector<Hidden>& states) = 0;
+  virtual std::vector<std::vector<std::uint8_t>> DoDecodeOnto(Pixels /*seen*/,
+                                                              std::span<const float> /*start*/,
+                                                              const std::vector<Hidden>& states) {
+    return DoDecode(states);
+  }
+  virtual std::vector<float> DoClassify(Pixels picture) = 0;
 };
 
 /// Loads a weights file (model/weights.h) for libtorch on the CPU; rows are spread over `threads`

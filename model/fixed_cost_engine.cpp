@@ -18,7 +18,8 @@ void FixedCostEngine::Pass(Clock::time_point begun, std::size_t rows) const {
   std::this_thread::sleep_until(begun + std::chrono::duration_cast<Clock::duration>(cost));
 }
 
-Prediction FixedCostEngine::Evaluate(const float* h0, const float* h, int previous_action) {
+Prediction FixedCostEngine::DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                                       int previous_action) {
   const std::lock_guard<std::mutex> lock(device_);
   const auto begun = Clock::now();
   Prediction answer = inner().Evaluate(h0, h, previous_action);
@@ -26,7 +27,7 @@ Prediction FixedCostEngine::Evaluate(const float* h0, const float* h, int previo
   return answer;
 }
 
-std::vector<Prediction> FixedCostEngine::Expand(const std::vector<ExpandInput>& rows) {
+std::vector<Prediction> FixedCostEngine::DoExpand(const std::vector<ExpandInput>& rows) {
   const std::lock_guard<std::mutex> lock(device_);
   const auto begun = Clock::now();
   auto answers = inner().Expand(rows);

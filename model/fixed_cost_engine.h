@@ -23,8 +23,10 @@ class FixedCostEngine : public EngineDecorator {
  public:
   FixedCostEngine(std::unique_ptr<Engine> inner, BatchCost cost);
 
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override;
+ protected:
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override;
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override;
 
  private:
   using Clock = std::chrono::steady_clock;

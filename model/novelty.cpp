@@ -99,7 +99,7 @@ double LimitOf(const torch::Tensor& ranks) {
 }
 
 /// The light of `picture` over that of `redrawn`, by least squares.
-double GainOf(const std::uint8_t* picture, const std::vector<std::uint8_t>& redrawn) {
+double GainOf(Pixels picture, const std::vector<std::uint8_t>& redrawn) {
   double both = 0, own = 0;
   for (std::size_t i = 0; i < redrawn.size(); ++i) {
     both += static_cast<double>(picture[i]) * redrawn[i];
@@ -117,9 +117,9 @@ struct NoveltyGauge::Parts {
   double error_limit = 0;
 };
 
-NoveltySample CompareRedrawn(const std::uint8_t* picture, const std::vector<std::uint8_t>& redrawn,
-                             int width, int height, Hidden state) {
-  if (width % kGrid != 0 || height % kGrid != 0 ||
+NoveltySample CompareRedrawn(Pixels picture, const std::vector<std::uint8_t>& redrawn, int width,
+                             int height, Hidden state) {
+  if (width % kGrid != 0 || height % kGrid != 0 || picture.size() != redrawn.size() ||
       redrawn.size() != static_cast<std::size_t>(width) * height * 3) {
     throw std::invalid_argument("novelty: a picture of a size that the networks do not have");
   }
@@ -141,13 +141,10 @@ NoveltySample CompareRedrawn(const std::uint8_t* picture, const std::vector<std:
   return sample;
 }
 
-NoveltySample TakeNoveltySample(Engine& engine, const std::uint8_t* picture, const Hidden& state) {
+NoveltySample TakeNoveltySample(Engine& engine, Pixels picture) {
+  const Hidden state = engine.Encode(picture);
   return CompareRedrawn(picture, engine.Decode({state}).at(0), engine.info().image_width,
                         engine.info().image_height, state);
-}
-
-NoveltySample TakeNoveltySample(Engine& engine, const std::uint8_t* picture) {
-  return TakeNoveltySample(engine, picture, engine.Encode(picture));
 }
 
 NoveltyGauge::NoveltyGauge(const std::vector<NoveltySample>& fit,

@@ -29,13 +29,11 @@ struct NoveltySample {
 /// @param picture height x width x 3 bytes RGB
 /// @param redrawn of the same size: the decoded encoding
 /// Width and height must be multiples of 8.
-NoveltySample CompareRedrawn(const std::uint8_t* picture, const std::vector<std::uint8_t>& redrawn,
-                             int width, int height, Hidden state);
+NoveltySample CompareRedrawn(Pixels picture, const std::vector<std::uint8_t>& redrawn, int width,
+                             int height, Hidden state);
 
 /// Encodes and redraws. Throws what the engine throws.
-NoveltySample TakeNoveltySample(Engine& engine, const std::uint8_t* picture);
-/// The same of a picture that was encoded before.
-NoveltySample TakeNoveltySample(Engine& engine, const std::uint8_t* picture, const Hidden& state);
+NoveltySample TakeNoveltySample(Engine& engine, Pixels picture);
 
 /// Where a gauge came from; stored with it.
 struct NoveltySource {

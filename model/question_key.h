@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "model/hash.h"
 
@@ -21,7 +22,7 @@ struct QuestionKeyHash {
 
 /// Key of some bytes: two multiplicative hashes over 64-bit words with different constants, each
 /// mixed at the end. Reads 8 bytes at a time, because states are kilobytes and are hashed a row.
-QuestionKey KeyOf(const void* data, std::size_t bytes);
+QuestionKey KeyOf(std::span<const std::byte> bytes);
 
 /// Key of an ordered pair of a question so far and one more number or key.
 inline QuestionKey Join(const QuestionKey& a, const QuestionKey& b) {

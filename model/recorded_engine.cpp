@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -16,24 +17,18 @@ constexpr std::uint32_t kMostNumbers = 1 << 26;
 
 // --- keys
 
-QuestionKey PictureKey(const EngineInfo& info, const std::uint8_t* rgb, const char* question) {
-  if (rgb == nullptr) throw std::invalid_argument(std::string(question) + ": no picture");
-  const auto pixels = static_cast<std::size_t>(info.image_width * info.image_height);
-  return Join(KeyOf(rgb, pixels * 3), HashText(question));
+QuestionKey PictureKey(Pixels picture, const char* question) {
+  return Join(KeyOf(std::as_bytes(picture)), HashText(question));
 }
 
-QuestionKey StateKey(const EngineInfo& info, const float* h) {
-  return KeyOf(h, static_cast<std::size_t>(info.hidden_size) * sizeof(float));
-}
-
-QuestionKey ActionKey(const EngineInfo& info, const float* h0, const float* h, int action,
+QuestionKey ActionKey(std::span<const float> h0, std::span<const float> h, int action,
                       const char* question) {
-  const QuestionKey states = Join(StateKey(info, h0), StateKey(info, h));
+  const QuestionKey states = Join(KeyOf(std::as_bytes(h0)), KeyOf(std::as_bytes(h)));
   return Join(Join(states, static_cast<std::uint64_t>(action)), HashText(question));
 }
 
 QuestionKey DecodeKey(const Hidden& state) {
-  return Join(KeyOf(state.data(), state.size() * sizeof(float)), HashText("Decode"));
+  return Join(KeyOf(std::as_bytes(std::span(state))), HashText("Decode"));
 }
 
 // --- the file: plain numbers in this machine's byte order
@@ -129,34 +124,36 @@ void RecordingEngine::Write(const QuestionKey& key, const RecordedAnswer& answer
   PutAll(file_, answer.picture);
 }
 
-Hidden RecordingEngine::Encode(const std::uint8_t* rgb) {
+Hidden RecordingEngine::DoEncode(Pixels picture) {
   const std::lock_guard<std::mutex> lock(mutex_);
   RecordedAnswer answer;
-  answer.prediction.h = inner().Encode(rgb);
-  Write(PictureKey(info(), rgb, "Encode"), answer);
+  answer.prediction.h = inner().Encode(picture);
+  Write(PictureKey(picture, "Encode"), answer);
   Flush();
   return answer.prediction.h;
 }
 
-Prediction RecordingEngine::Evaluate(const float* h0, const float* h, int previous_action) {
+Prediction RecordingEngine::DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                                       int previous_action) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const RecordedAnswer answer{inner().Evaluate(h0, h, previous_action), {}};
-  Write(ActionKey(info(), h0, h, previous_action, "Evaluate"), answer);
+  Write(ActionKey(h0, h, previous_action, "Evaluate"), answer);
   Flush();
   return answer.prediction;
 }
 
-std::vector<Prediction> RecordingEngine::Expand(const std::vector<ExpandInput>& rows) {
+std::vector<Prediction> RecordingEngine::DoExpand(const std::vector<ExpandInput>& rows) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto answers = inner().Expand(rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    Write(ActionKey(info(), rows[i].h0, rows[i].h, rows[i].action, "Expand"), {answers[i], {}});
+    Write(ActionKey(rows[i].h0, rows[i].h, rows[i].action, "Expand"), {answers[i], {}});
   }
   Flush();
   return answers;
 }
 
-std::vector<std::vector<std::uint8_t>> RecordingEngine::Decode(const std::vector<Hidden>& states) {
+std::vector<std::vector<std::uint8_t>> RecordingEngine::DoDecode(
+    const std::vector<Hidden>& states) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto pictures = inner().Decode(states);
   for (std::size_t i = 0; i < states.size(); ++i) Write(DecodeKey(states[i]), {{}, pictures[i]});
@@ -164,11 +161,11 @@ std::vector<std::vector<std::uint8_t>> RecordingEngine::Decode(const std::vector
   return pictures;
 }
 
-std::vector<float> RecordingEngine::Classify(const std::uint8_t* rgb) {
+std::vector<float> RecordingEngine::DoClassify(Pixels picture) {
   const std::lock_guard<std::mutex> lock(mutex_);
   RecordedAnswer answer;
-  answer.prediction.p = inner().Classify(rgb);
-  Write(PictureKey(info(), rgb, "Classify"), answer);
+  answer.prediction.p = inner().Classify(picture);
+  Write(PictureKey(picture, "Classify"), answer);
   Flush();
   return answer.prediction.p;
 }
@@ -207,31 +204,32 @@ const RecordedAnswer& ReplayEngine::Find(const QuestionKey& key, const char* que
   return found->second;
 }
 
-Hidden ReplayEngine::Encode(const std::uint8_t* rgb) {
-  return Find(PictureKey(info_, rgb, "Encode"), "Encode").prediction.h;
+Hidden ReplayEngine::DoEncode(Pixels picture) {
+  return Find(PictureKey(picture, "Encode"), "Encode").prediction.h;
 }
 
-Prediction ReplayEngine::Evaluate(const float* h0, const float* h, int previous_action) {
-  return Find(ActionKey(info_, h0, h, previous_action, "Evaluate"), "Evaluate").prediction;
+Prediction ReplayEngine::DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                                    int previous_action) {
+  return Find(ActionKey(h0, h, previous_action, "Evaluate"), "Evaluate").prediction;
 }
 
-std::vector<Prediction> ReplayEngine::Expand(const std::vector<ExpandInput>& rows) {
+std::vector<Prediction> ReplayEngine::DoExpand(const std::vector<ExpandInput>& rows) {
   std::vector<Prediction> answers;
   for (const ExpandInput& row : rows) {
-    const auto key = ActionKey(info_, row.h0, row.h, row.action, "Expand");
+    const auto key = ActionKey(row.h0, row.h, row.action, "Expand");
     answers.push_back(Find(key, "Expand").prediction);
   }
   return answers;
 }
 
-std::vector<std::vector<std::uint8_t>> ReplayEngine::Decode(const std::vector<Hidden>& states) {
+std::vector<std::vector<std::uint8_t>> ReplayEngine::DoDecode(const std::vector<Hidden>& states) {
   std::vector<std::vector<std::uint8_t>> pictures;
   for (const Hidden& state : states) pictures.push_back(Find(DecodeKey(state), "Decode").picture);
   return pictures;
 }
 
-std::vector<float> ReplayEngine::Classify(const std::uint8_t* rgb) {
-  return Find(PictureKey(info_, rgb, "Classify"), "Classify").prediction.p;
+std::vector<float> ReplayEngine::DoClassify(Pixels picture) {
+  return Find(PictureKey(picture, "Classify"), "Classify").prediction.p;
 }
 
 }  // namespace prospect::model

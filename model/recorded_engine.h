@@ -30,11 +30,13 @@ class RecordingEngine : public EngineDecorator {
   /// Throws std::runtime_error when the file cannot be written.
   RecordingEngine(std::unique_ptr<Engine> inner, const std::string& path);
 
-  Hidden Encode(const std::uint8_t* rgb) override;
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override;
-  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override;
-  std::vector<float> Classify(const std::uint8_t* rgb) override;
+ protected:
+  Hidden DoEncode(Pixels picture) override;
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override;
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override;
+  std::vector<std::vector<std::uint8_t>> DoDecode(const std::vector<Hidden>& states) override;
+  std::vector<float> DoClassify(Pixels picture) override;
 
  private:
   void Write(const QuestionKey& key, const RecordedAnswer& answer);
@@ -54,17 +56,20 @@ class ReplayEngine : public Engine {
   /// Throws std::runtime_error naming the file and what is wrong with it.
   explicit ReplayEngine(const std::string& path);
 
-  Hidden Encode(const std::uint8_t* rgb) override;
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override;
-  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override;
-  std::vector<float> Classify(const std::uint8_t* rgb) override;
   const EngineInfo& info() const override { return info_; }
   std::uint64_t weights_hash() const override { return weights_hash_; }
   std::uint64_t fingerprint() const override { return fingerprint_; }
 
   /// Answers held.
   std::size_t size() const { return answers_.size(); }
+
+ protected:
+  Hidden DoEncode(Pixels picture) override;
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override;
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override;
+  std::vector<std::vector<std::uint8_t>> DoDecode(const std::vector<Hidden>& states) override;
+  std::vector<float> DoClassify(Pixels picture) override;
 
  private:
   void ReadHead(std::istream& file);

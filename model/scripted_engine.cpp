@@ -1,7 +1,7 @@
 #include "model/scripted_engine.h"
 
 #include <cstddef>
-#include <stdexcept>
+#include <span>
 
 #include "model/hash.h"
 
@@ -20,9 +20,10 @@ Hidden Pack(std::uint64_t state) {
   return h;
 }
 
-std::uint64_t Unpack(const float* h) {
+std::uint64_t Unpack(std::span<const float> h) {
   std::uint64_t state = 0;
-  for (int i = kHiddenSize - 1; i >= 0; --i) state = state << 16 | static_cast<std::uint64_t>(h[i]);
+  for (int i = kHiddenSize - 1; i >= 0; --i)
+    state = state << 16 | static_cast<std::uint64_t>(h[static_cast<std::size_t>(i)]);
   return state;
 }
 
@@ -44,10 +45,7 @@ ScriptedEngine::ScriptedEngine(const ScriptedOptions& options) : options_(option
   info_.calibration = options.calibration;
 }
 
-Hidden ScriptedEngine::Encode(const std::uint8_t* rgb) {
-  if (rgb == nullptr) throw std::invalid_argument("Encode: no picture");
-  return Pack(Mix64(kRootState ^ options_.seed));
-}
+Hidden ScriptedEngine::DoEncode(Pixels) { return Pack(Mix64(kRootState ^ options_.seed)); }
 
 Prediction ScriptedEngine::Answer(std::uint64_t state, int action, float done) const {
   Prediction answer;
@@ -61,16 +59,14 @@ Prediction ScriptedEngine::Answer(std::uint64_t state, int action, float done) c
   return answer;
 }
 
-Prediction ScriptedEngine::Evaluate(const float*, const float* h, int previous_action) {
+Prediction ScriptedEngine::DoEvaluate(std::span<const float>, std::span<const float> h,
+                                      int previous_action) {
   return Answer(Unpack(h), previous_action, 1.0F);
 }
 
-std::vector<Prediction> ScriptedEngine::Expand(const std::vector<ExpandInput>& rows) {
+std::vector<Prediction> ScriptedEngine::DoExpand(const std::vector<ExpandInput>& rows) {
   std::vector<Prediction> answers;
   for (const ExpandInput& row : rows) {
-    if (row.action < 0 || row.action >= options_.num_actions) {
-      throw std::invalid_argument("Expand: action out of range");
-    }
     const std::uint64_t state =
         Mix64(Unpack(row.h) * 31 + static_cast<std::uint64_t>(row.action) + 1);
     const bool fails = Draw(state, 2) < static_cast<float>(options_.failing_share);
@@ -80,11 +76,11 @@ std::vector<Prediction> ScriptedEngine::Expand(const std::vector<ExpandInput>& r
   return answers;
 }
 
-std::vector<std::vector<std::uint8_t>> ScriptedEngine::Decode(const std::vector<Hidden>& states) {
+std::vector<std::vector<std::uint8_t>> ScriptedEngine::DoDecode(const std::vector<Hidden>& states) {
   std::vector<std::vector<std::uint8_t>> pictures;
   const auto pixels = static_cast<std::size_t>(options_.image_width * options_.image_height);
   for (const Hidden& h : states) {
-    const std::uint64_t state = Unpack(h.data());
+    const std::uint64_t state = Unpack(h);
     std::vector<std::uint8_t> picture;
     for (std::size_t i = 0; i < pixels * 3; ++i) {
       picture.push_back(static_cast<std::uint8_t>(state >> (i % 3 * 8)));
@@ -94,7 +90,7 @@ std::vector<std::vector<std::uint8_t>> ScriptedEngine::Decode(const std::vector<
   return pictures;
 }
 
-std::vector<float> ScriptedEngine::Classify(const std::uint8_t*) {
+std::vector<float> ScriptedEngine::DoClassify(Pixels) {
   return std::vector<float>(static_cast<std::size_t>(options_.num_actions),
                             1.0F / static_cast<float>(options_.num_actions));
 }

@@ -25,15 +25,18 @@ class ScriptedEngine : public Engine {
  public:
   explicit ScriptedEngine(const ScriptedOptions& options = {});
 
-  Hidden Encode(const std::uint8_t* rgb) override;
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override;
-  /// A plain picture whose colour tells the state.
-  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override;
-  std::vector<float> Classify(const std::uint8_t* rgb) override;
   const EngineInfo& info() const override { return info_; }
   std::uint64_t weights_hash() const override;
   std::uint64_t fingerprint() const override;
+
+ protected:
+  Hidden DoEncode(Pixels picture) override;
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override;
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override;
+  /// A plain picture whose colour tells the state.
+  std::vector<std::vector<std::uint8_t>> DoDecode(const std::vector<Hidden>& states) override;
+  std::vector<float> DoClassify(Pixels picture) override;
 
  private:
   Prediction Answer(std::uint64_t state, int action, float done) const;

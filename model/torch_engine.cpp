@@ -2,7 +2,7 @@
 #include <cstring>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <span>
 
 #include "model/calibration.h"
 #include "model/engine.h"
@@ -54,21 +54,25 @@ class TorchEngine : public Engine {
   TorchEngine(const std::string& path, int threads)
       : TorchEngine(ReadWeights(path), path, threads) {}
 
-  Hidden Encode(const std::uint8_t* rgb) override {
+  const EngineInfo& info() const override { return info_; }
+  std::uint64_t weights_hash() const override { return weights_hash_; }
+  std::uint64_t fingerprint() const override { return fingerprint_; }
+
+ protected:
+  Hidden DoEncode(Pixels picture) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     const c10::InferenceMode inference;
-    return ToVector(networks_.encoder->forward(Picture(rgb)));
+    return ToVector(networks_.encoder->forward(Picture(picture)));
   }
 
-  Prediction Evaluate(const float* h0, const float* h, int previous_action) override {
-    RequireAction(previous_action, info_.num_actions);
+  Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                        int previous_action) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     const c10::InferenceMode inference;
     return Judge(State(h0), State(h), previous_action, /*imagined=*/false);
   }
 
-  std::vector<Prediction> Expand(const std::vector<ExpandInput>& rows) override {
-    for (const ExpandInput& row : rows) RequireAction(row.action, info_.num_actions - 1);
+  std::vector<Prediction> DoExpand(const std::vector<ExpandInput>& rows) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<Prediction> answers(rows.size());
     pool_.Run(rows.size(), [&](std::size_t i) {
@@ -78,18 +82,17 @@ class TorchEngine : public Engine {
     return answers;
   }
 
-  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<Hidden>& states) override {
+  std::vector<std::vector<std::uint8_t>> DoDecode(const std::vector<Hidden>& states) override {
     return Paint(states, [](const torch::Tensor& decoded) { return decoded; });
   }
 
-  std::vector<std::vector<std::uint8_t>> DecodeOnto(const std::uint8_t* seen, const Hidden& start,
-                                                    const std::vector<Hidden>& states) override {
-    RequireSize(start);
+  std::vector<std::vector<std::uint8_t>> DoDecodeOnto(Pixels seen, std::span<const float> start,
+                                                      const std::vector<Hidden>& states) override {
     torch::Tensor decoded_start;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       const c10::InferenceMode inference;
-      decoded_start = networks_.decoder->forward(State(start.data()));
+      decoded_start = networks_.decoder->forward(State(start));
     }
     const torch::Tensor picture = Picture(seen);
     return Paint(states, [&](const torch::Tensor& decoded) {
@@ -97,16 +100,12 @@ class TorchEngine : public Engine {
     });
   }
 
-  std::vector<float> Classify(const std::uint8_t* rgb) override {
+  std::vector<float> DoClassify(Pixels picture) override {
     if (!networks_.has_classifier) return {};
     const std::lock_guard<std::mutex> lock(mutex_);
     const c10::InferenceMode inference;
-    return ToVector(torch::softmax(networks_.classifier->forward(Picture(rgb)), 1));
+    return ToVector(torch::softmax(networks_.classifier->forward(Picture(picture)), 1));
   }
-
-  const EngineInfo& info() const override { return info_; }
-  std::uint64_t weights_hash() const override { return weights_hash_; }
-  std::uint64_t fingerprint() const override { return fingerprint_; }
 
  private:
   TorchEngine(const WeightsFile& file, const std::string& path, int threads)
@@ -133,22 +132,15 @@ class TorchEngine : public Engine {
     info_.calibration = calibration.sample;
   }
 
-  void RequireSize(const Hidden& state) const {
-    if (state.size() != static_cast<std::size_t>(info_.hidden_size)) {
-      throw std::invalid_argument("Decode: a hidden state has the wrong size");
-    }
-  }
-
   /// Decodes states, each finished by `finish`, into bytes.
   template <typename Finish>
   std::vector<std::vector<std::uint8_t>> Paint(const std::vector<Hidden>& states,
                                                const Finish& finish) {
-    for (const Hidden& state : states) RequireSize(state);
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<std::vector<std::uint8_t>> pictures(states.size());
     pool_.Run(states.size(), [&](std::size_t i) {
       const c10::InferenceMode inference;
-      const torch::Tensor x = finish(networks_.decoder->forward(State(states[i].data())));
+      const torch::Tensor x = finish(networks_.decoder->forward(State(states[i])));
       const torch::Tensor bytes =
           x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
       pictures[i].assign(bytes.data_ptr<std::uint8_t>(),
@@ -157,20 +149,16 @@ class TorchEngine : public Engine {
     return pictures;
   }
 
-  static void RequireAction(int action, int last) {
-    if (action < 0 || action > last) throw std::invalid_argument("action out of range");
-  }
-
-  torch::Tensor Picture(const std::uint8_t* rgb) const {
+  torch::Tensor Picture(Pixels picture) const {
     const torch::Tensor raw =
-        torch::from_blob(const_cast<std::uint8_t*>(rgb),
+        torch::from_blob(const_cast<std::uint8_t*>(picture.data()),
                          {1, info_.image_height, info_.image_width, 3}, torch::kUInt8);
     return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F);
   }
 
-  torch::Tensor State(const float* h) const {
+  torch::Tensor State(std::span<const float> h) const {
     const NetworkConfig& c = networks_.config;
-    return torch::from_blob(const_cast<float*>(h),
+    return torch::from_blob(const_cast<float*>(h.data()),
                             {1, c.hidden_channels, c.hidden_height(), c.hidden_width()});
   }
 
@@ -203,8 +191,8 @@ class TorchEngine : public Engine {
     std::vector<std::uint8_t> picture(static_cast<std::size_t>(networks_.config.image_bytes()));
     for (std::size_t i = 0; i < picture.size(); ++i)
       picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
-    const Hidden h0 = Encode(picture.data());
-    const Prediction answer = Expand({{h0.data(), h0.data(), 0}}).front();
+    const Hidden h0 = DoEncode(picture);
+    const Prediction answer = DoExpand({{h0, h0, 0}}).front();
     std::uint64_t hash = HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
     hash = HashBytes(&answer.value, sizeof(float), hash);
     hash = HashBytes(&answer.done, sizeof(float), hash);

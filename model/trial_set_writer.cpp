@@ -54,7 +54,7 @@ TrialSetWriter::~TrialSetWriter() = default;
 
 void TrialSetWriter::Begin(const Trial& shape, int most_frames) {
   Impl& w = *impl_;
-  if (w.parts.count(shape.seed) > 0) {
+  if (w.parts.contains(shape.seed)) {
     throw DataError(w.path + ": seed " + std::to_string(shape.seed) + " comes twice");
   }
   w.shape = Trial();

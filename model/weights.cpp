@@ -235,8 +235,7 @@ void LoadModule(const std::string& path, const std::string& prefix, torch::nn::M
 
 bool HasModule(const WeightsFile& file, const std::string& prefix) {
   const auto found = file.tensors.lower_bound(prefix + ".");
-  return found != file.tensors.end() &&
-         found->first.compare(0, prefix.size() + 1, prefix + ".") == 0;
+  return found != file.tensors.end() && found->first.starts_with(prefix + ".");
 }
 
 }  // namespace prospect::model

@@ -26,7 +26,6 @@ Stored EvaluationTable::Put(PathId id, const Evaluation& evaluation, std::uint64
     Write(slot, evaluation, fingerprint);
     return Stored::kNew;
   }
-  ++duplicates_;
   if (!Lower(evaluation, fingerprint, entries_[slot])) return Stored::kDuplicate;
   Write(slot, evaluation, fingerprint);
   return Stored::kReplaced;

@@ -35,9 +35,6 @@ class EvaluationTable {
   Evaluation Get(PathId id) const;
 
   int size() const { return static_cast<int>(entries_.size()); }
-  std::int64_t duplicates() const {
-    return duplicates_;
-  }  // evaluations heard for a path that had one already
 
  private:
   struct Entry {
@@ -58,7 +55,6 @@ class EvaluationTable {
   std::vector<int> slots_;      // by path id: index into entries_, or -1
   std::vector<Entry> entries_;  // in order of arrival
   std::vector<float> numbers_;  // for each entry: num_actions Q, then num_actions p
-  std::int64_t duplicates_ = 0;
 };
 
 }  // namespace prospect::planner

@@ -77,7 +77,7 @@ void ForeignRollouts::Forget(std::int64_t oldest_us) {
       waiting_.erase(rollout.leaf);
       return true;
     };
-    rollouts.erase(std::remove_if(rollouts.begin(), rollouts.end(), old), rollouts.end());
+    std::erase_if(rollouts, old);
   }
 }
 

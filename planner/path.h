@@ -50,7 +50,4 @@ struct PathHash {
 // "3-0-12"; the root prints as "root".
 std::string ToString(const Path& path);
 
-// Parses what ToString prints. Throws std::invalid_argument for anything else.
-Path ParsePath(const std::string& text);
-
 }  // namespace prospect::planner

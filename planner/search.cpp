@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "planner/warm_start.h"
+#include "planner/plan_reader.h"
 
 namespace prospect::planner {
 namespace {
@@ -54,10 +54,6 @@ const char* ToString(StopReason reason) {
       return "deadline";
     case StopReason::kStopped:
       return "stopped";
-    case StopReason::kEvaluations:
-      return "evaluations";
-    case StopReason::kSettled:
-      return "settled";
   }
   return "unknown";
 }
@@ -73,7 +69,6 @@ Search::Search(TaskRules rules, SearchParameters parameters, Path executed, Sear
       evaluations_(&paths_),
       statistics_(&paths_, StatisticsOptions(identity)),
       claims_(parameters_.samples),
-      settlement_(parameters_.stop_when_proven, parameters_.stop_when_stable),
       children_(HashCombine(parameters_.seed, static_cast<std::uint64_t>(identity.worker_index)),
                 parameters_.seed),
       foreign_(&paths_, &statistics_) {
@@ -103,7 +98,7 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
 
 void Search::NoteRequested(const std::vector<Path>& paths, std::int64_t now_us,
                            std::uint64_t writer) {
-  if (!TakesFromOthers()) return;
+  if (Apart()) return;
   for (const Path& path : paths) {
     if (path.size() > kMaxPathLength || !rules_.Legal(executed_, path)) continue;
     const PathId id = paths_.Add(path);
@@ -149,34 +144,16 @@ void Search::OneStays(std::uint64_t writer, PathId id) {
 }
 
 int Search::Merge(const StatisticsBatch& batch, std::int64_t now_us) {
-  const bool apart_until_done = parameters_.sharing == Sharing::kMergeAtEnd && finished(now_us);
-  if (!TakesFromOthers() && !apart_until_done) return 0;
-  if (parameters_.sharing == Sharing::kFull) claims_.Share(OwnBegun(), now_us);
+  if (Apart()) return 0;
+  if (parameters_.sharing) claims_.Share(OwnBegun(), now_us);
   const int changed = statistics_.Merge(batch, now_us);
   foreign_.Forget(now_us - parameters_.patience_us);
   Absorb();
   return changed;
 }
 
-// Workers that search apart do not; who only watches does.
-bool Search::TakesFromOthers() const { return parameters_.sharing == Sharing::kFull || !advanced_; }
-
-void Search::WarmStart(const Search& before) {
-  Path expected = before.executed_;
-  if (executed_.empty()) return;
-  expected.push_back(executed_.back());
-  if (expected != executed_ || before.rules_.num_actions != rules_.num_actions) return;
-  const std::vector<WarmHint> hints =
-      ReadWarmHints(before.paths_, before.evaluations_, before.statistics_, executed_.back(),
-                    before.depth_, parameters_.warm_paths);
-  for (auto hint = hints.rbegin(); hint != hints.rend(); ++hint) {
-    if (!rules_.Legal(executed_, hint->path)) continue;
-    const PathId id = paths_.Add(hint->path);
-    warm_order_.push_back(id);
-    if (id >= static_cast<int>(warm_q_.size())) warm_q_.resize(paths_.size(), -1.0);
-    warm_q_[id] = hint->score;
-  }
-}
+// A worker in a tree of its own. Who only watches takes in everybody's rows.
+bool Search::Apart() const { return !parameters_.sharing && advanced_; }
 
 // --- many rollouts
 
@@ -185,9 +162,7 @@ std::vector<Path> Search::Advance(int max_new_leaves, std::int64_t now_us) {
   advanced_ = true;
   if (stopped_) return requests;
   statistics_.ExpireLeases(now_us);
-  const int most = max_new_leaves + ResumeRollouts(now_us, &requests);
-  const int asked = StartRollouts(most, now_us, &requests);
-  AskWarmPaths(most - asked, now_us, &requests);
+  StartRollouts(max_new_leaves + ResumeRollouts(now_us, &requests), now_us, &requests);
   freed_.clear();
   return requests;
 }
@@ -200,7 +175,7 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
     if (Walk(0, &at, &value) == Walked::kEnded) {
       BackUp(at, value);
     } else if (!Request(at, now_us, requests) && NodeOf(at).pending != Pending::kOwn) {
-      GiveUp(at);  // somebody else's rollout waits there, or no more evaluations are allowed
+      GiveUp(at);  // somebody else's rollout waits there
     } else {
       rollouts_[kept++] = at;
     }
@@ -212,9 +187,8 @@ int Search::ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests) {
 }
 
 // A rollout whose leaf is already asked for keeps its place in the counts until the end of this
-// call, so that the next one looks elsewhere, and is then given up. Returns how many leaves were
-// asked for.
-int Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests) {
+// call, so that the next one looks elsewhere, and is then given up.
+void Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests) {
   int asked = 0;
   while (asked < max_new_leaves && MayStart(now_us)) {
     PathId at = kRoot;
@@ -232,16 +206,6 @@ int Search::StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<P
   }
   for (const PathId leaf : given_up_) GiveUp(leaf);
   given_up_.clear();
-  return asked;
-}
-
-// Room that rollouts left unused goes to futures that a former search found worth a look.
-void Search::AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests) {
-  for (int asked = 0; asked < most && !warm_order_.empty() && !done(now_us);) {
-    const PathId id = warm_order_.back();
-    warm_order_.pop_back();
-    if (!evaluations_.Has(id) && Request(id, now_us, requests)) ++asked;
-  }
 }
 
 bool Search::MayStart(std::int64_t now_us) {
@@ -250,7 +214,7 @@ bool Search::MayStart(std::int64_t now_us) {
 }
 
 bool Search::MayClaim(std::int64_t now_us) {
-  if (parameters_.sharing != Sharing::kFull || claims_.Covers(OwnBegun())) return true;
+  if (!parameters_.sharing || claims_.Covers(OwnBegun())) return true;
   const bool news = claims_.news();
   claims_.Renew(OwnBegun(), statistics_.others(), now_us);
   const bool covered = claims_.Covers(OwnBegun());
@@ -265,7 +229,6 @@ bool Search::Request(PathId id, std::int64_t now_us, std::vector<Path>* requests
   if (node.pending == Pending::kOwn) return false;
   const bool fresh = now_us - node.pending_since_us < parameters_.patience_us;
   if (node.pending == Pending::kForeign && fresh) return false;
-  if (OutOfEvaluations()) return false;
   SetPending(id, Pending::kOwn, now_us);
   requests->push_back(paths_.PathOf(id));
   return true;
@@ -273,13 +236,12 @@ bool Search::Request(PathId id, std::int64_t now_us, std::vector<Path>* requests
 
 void Search::SetPending(PathId id, Pending pending, std::int64_t now_us) {
   Node& node = NodeOf(id);
-  awaited_ += (pending == Pending::kOwn ? 1 : 0) - (node.pending == Pending::kOwn ? 1 : 0);
   node.pending = pending;
   node.pending_since_us = now_us;
 }
 
 StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) {
-  if (parameters_.sharing == Sharing::kFull) {
+  if (parameters_.sharing) {
     statistics_.ExpireLeases(now_us);
     claims_.Share(OwnBegun(), now_us);
     claims_.Renew(OwnBegun(), statistics_.others(), now_us);
@@ -314,11 +276,7 @@ void Search::Abandon(const Path& path) {
 
 // Gives up the rollouts that wait for `id`.
 void Search::LeaveTo(PathId id) {
-  const auto waits = [id](PathId at) { return at == id; };
-  for (const PathId at : rollouts_) {
-    if (waits(at)) GiveUp(at);
-  }
-  rollouts_.erase(std::remove_if(rollouts_.begin(), rollouts_.end(), waits), rollouts_.end());
+  for (auto given_up = std::erase(rollouts_, id); given_up > 0; --given_up) GiveUp(id);
 }
 
 void Search::Stop() {
@@ -332,23 +290,15 @@ StopReason Search::stop_reason(std::int64_t now_us) const {
   if (parameters_.deadline_us > 0 && now_us >= parameters_.deadline_us)
     return StopReason::kDeadline;
   if (Exhausted(kRoot)) return StopReason::kExhausted;
-  if (settlement_.settled()) return StopReason::kSettled;
-  if (OutOfEvaluations()) return StopReason::kEvaluations;
   const PathTotals& root = statistics_.totals(kRoot);
-  const bool apart = parameters_.sharing != Sharing::kFull && advanced_;
-  const std::int64_t begun = apart ? OwnBegun() : root.visits + root.in_flight;
+  const std::int64_t begun = Apart() ? OwnBegun() : root.visits + root.in_flight;
   return begun >= Budget() ? StopReason::kSamples : StopReason::kRunning;
 }
 
 // Rollouts that are to be done in the tree this search looks at.
 std::int64_t Search::Budget() const {
-  const bool apart = parameters_.sharing != Sharing::kFull && advanced_;
-  const std::int64_t workers = apart ? parameters_.workers : 1;
+  const std::int64_t workers = Apart() ? parameters_.workers : 1;
   return (parameters_.samples + workers - 1) / workers;
-}
-
-bool Search::OutOfEvaluations() const {
-  return parameters_.evaluations > 0 && evaluations_.size() + awaited_ >= parameters_.evaluations;
 }
 
 // Own N + O at the root.
@@ -359,9 +309,7 @@ std::int64_t Search::OwnBegun() const {
 
 // --- the answer, and counts
 
-Plan Search::BestPlan() const { return ReadPlan(Source()); }
-
-PlanSource Search::Source() const {
+Plan Search::BestPlan() const {
   PlanSource source;
   source.paths = &paths_;
   source.evaluations = &evaluations_;
@@ -369,7 +317,7 @@ PlanSource Search::Source() const {
   source.rules = &rules_;
   source.parameters = &parameters_;
   source.executed = executed_;
-  return source;
+  return ReadPlan(source);
 }
 
 std::int64_t Search::rollouts() const { return statistics_.own_totals().rollouts; }

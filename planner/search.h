@@ -26,11 +26,9 @@
 #include "planner/evaluation_table.h"
 #include "planner/foreign_rollouts.h"
 #include "planner/plan.h"
-#include "planner/plan_reader.h"
 #include "planner/rollout_claims.h"
 #include "planner/search_parameters.h"
 #include "planner/selection_rule.h"
-#include "planner/settlement.h"
 #include "planner/shared_statistics.h"
 #include "planner/task_rules.h"
 
@@ -43,8 +41,6 @@ enum class StopReason {
   kExhausted,
   kDeadline,
   kStopped,
-  kEvaluations,
-  kSettled,
 };
 const char* ToString(StopReason reason);
 
@@ -80,15 +76,8 @@ class Search {
   // whose they are (0: unknown; then only the path itself counts, until its evaluation comes).
   void NoteRequested(const std::vector<Path>& paths, std::int64_t now_us, std::uint64_t writer = 0);
   // Other workers' rows; see SharedStatistics::Merge. Workers that search apart (a search that was
-  // never told to Advance only watches, and takes all) take none until their part is done, and with
-  // Sharing::kNone none ever; the same goes for NoteRequested.
+  // never told to Advance only watches, and takes all) take none; the same goes for NoteRequested.
   int Merge(const StatisticsBatch& batch, std::int64_t now_us);
-
-  // The search before this one, whose root is one action back, lends its hints for Q and says which
-  // futures to have evaluated first (planner/warm_start.h). Call it before the first Advance. It
-  // changes which paths are looked at first, never what is known or counted. Nothing happens if the
-  // former search was not of this task or `executed` is not its executed actions and one more.
-  void WarmStart(const Search& before);
 
   // --- what is to be sent
   // Lets every rollout in flight go as far as evaluations allow, then starts new ones until
@@ -118,10 +107,10 @@ class Search {
   // Gives up all rollouts in flight and starts no more. Rows and evaluations are still taken in.
   void Stop();
   // No rollout will be started: N + O at the root (all writers, or this worker's part of the
-  // samples where workers search apart) reached the samples, the evaluations are used up, the
-  // decision is settled, every permitted future is known and visited, the deadline has passed, or
-  // Stop. kSamples may turn back to kRunning when a silent writer's lease ends. Whatever the
-  // reason, BestPlan is the best that is known so far, at any time.
+  // samples where workers search apart) reached the samples, every permitted future is known and
+  // visited, the deadline has passed, or Stop. kSamples may turn back to kRunning when a silent
+  // writer's lease ends. Whatever the reason, BestPlan is the best that is known so far, at any
+  // time.
   StopReason stop_reason(std::int64_t now_us) const;
   bool done(std::int64_t now_us) const { return stop_reason(now_us) != StopReason::kRunning; }
   // done, and nothing of this worker's is in flight: its counts are final.
@@ -163,7 +152,6 @@ class Search {
   bool EndsHere(PathId id, double* value);
   bool Permitted(PathId id, int action) const;
   void ListChildren(PathId id);
-  double QOf(PathId id, int action) const;
   PathId SelectChild(PathId id, std::int64_t* before);
   ParentView ViewOf(PathId id, const ChildLists::List& list) const;
   void ViewChildren(PathId id, ChildEntry* entries, int count);
@@ -181,22 +169,19 @@ class Search {
 
   // Many rollouts: search.cpp.
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);
-  int StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
+  void StartRollouts(int max_new_leaves, std::int64_t now_us, std::vector<Path>* requests);
   std::int64_t OthersBefore() const;
   void NoteEnded(PathId id, std::uint64_t writer);
   void NoteBegun(std::uint64_t writer);
   void OneStays(std::uint64_t writer, PathId id);
   void LeaveTo(PathId id);
-  void AskWarmPaths(int most, std::int64_t now_us, std::vector<Path>* requests);
   bool Request(PathId id, std::int64_t now_us, std::vector<Path>* requests);
   void SetPending(PathId id, Pending pending, std::int64_t now_us);
   bool MayStart(std::int64_t now_us);
   bool MayClaim(std::int64_t now_us);
-  bool TakesFromOthers() const;
-  bool OutOfEvaluations() const;
+  bool Apart() const;
   std::int64_t OwnBegun() const;
   std::int64_t Budget() const;
-  PlanSource Source() const;
 
   TaskRules rules_;
   SearchParameters parameters_;
@@ -208,7 +193,6 @@ class Search {
   EvaluationTable evaluations_;
   SharedStatistics statistics_;
   RolloutClaims claims_;
-  Settlement settlement_;
   ChildLists children_;
   ForeignRollouts foreign_;
   std::vector<std::uint64_t> freed_;   // writers whose rollouts ended since the last Advance
@@ -219,11 +203,8 @@ class Search {
   std::vector<ChildView> views_;       // scratch of SelectChild
   std::vector<double> scores_;         // scratch of SelectChild
   std::vector<std::int64_t> taken_;    // scratch of SelectChild
-  std::vector<PathId> warm_order_;     // to have evaluated, most wanted last
-  std::vector<double> warm_q_;         // by path id: hint for Q, below 0 where there is none
   std::int64_t own_evaluations_ = 0;
-  std::int64_t awaited_ = 0;  // paths asked for here and not yet answered
-  bool advanced_ = false;     // a worker, not an observer
+  bool advanced_ = false;  // a worker, not an observer
   bool hurried_ = false;
   std::int64_t announced_us_ = 0;  // when the last batch was made
   bool stopped_ = false;

@@ -16,25 +16,6 @@ bool InUnit(double x) { return x >= 0 && x <= 1; }
 
 }  // namespace
 
-const char* ToString(Sharing sharing) {
-  switch (sharing) {
-    case Sharing::kFull:
-      return "full";
-    case Sharing::kMergeAtEnd:
-      return "merge-at-end";
-    case Sharing::kNone:
-      return "none";
-  }
-  return "unknown";
-}
-
-Sharing SharingFrom(const std::string& name) {
-  for (const Sharing sharing : {Sharing::kFull, Sharing::kMergeAtEnd, Sharing::kNone}) {
-    if (name == ToString(sharing)) return sharing;
-  }
-  throw std::invalid_argument("no sharing '" + name + "'; there are: full merge-at-end none");
-}
-
 void SearchParameters::Validate() const {
   Require(c > 0 && c < 1e6, "c must be above 0 and below 1e6");
   Require(c_puct > 0 && c_puct < 1e6, "c_puct must be above 0 and below 1e6");
@@ -44,9 +25,6 @@ void SearchParameters::Validate() const {
   Require(InUnit(refusal_threshold), "refusal_threshold must be in [0, 1]");
   Require(samples >= 1 && samples <= 1'000'000'000, "samples must be 1 to 1e9");
   Require(workers >= 1, "workers must be at least 1");
-  Require(evaluations >= 0, "evaluations must not be negative");
-  Require(stop_when_stable >= 0, "stop_when_stable must not be negative");
-  Require(warm_paths >= 0, "warm_paths must not be negative");
   Require(depth >= 1 && depth <= kMaxPathLength, "depth must be 1 to 32");
   Require(deadline_us >= 0, "deadline_us must not be negative");
   Require(listed_futures >= 0, "listed_futures must not be negative");

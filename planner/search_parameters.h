@@ -6,16 +6,6 @@
 
 namespace prospect::planner {
 
-// Whether workers search one tree.
-enum class Sharing {
-  kFull,        // rows are merged as they come: one tree (the default)
-  kMergeAtEnd,  // each worker searches a tree of its own, rows are merged when its part is done
-  kNone,        // each worker searches a tree of its own, and takes nothing from others at all
-};
-// "full", "merge-at-end", "none". SharingFrom throws std::invalid_argument for any other name.
-const char* ToString(Sharing sharing);
-Sharing SharingFrom(const std::string& name);
-
 struct SearchParameters {
   std::string rule = "paper";  // planner/selection_rule.h
   double c = 10;               // exploration constant of the paper's score, > 0
@@ -30,17 +20,12 @@ struct SearchParameters {
   // Rollouts of all workers together, >= 1, whatever the sharing: workers that search apart each do
   // their part, samples / workers rounded up.
   std::int64_t samples = 100;
-  Sharing sharing = Sharing::kFull;
-  int workers = 1;  // that part the samples among them, >= 1; unused where sharing is full
-  // Stop conditions beside samples; 0 or false: off. All of them may be set together.
-  std::int64_t evaluations = 0;       // paths evaluated, whoever asked for them
-  bool stop_when_proven = false;      // the first action cannot change: planner/settlement.h
-  std::int64_t stop_when_stable = 0;  // the first action was the same over so many rollouts
+  bool sharing = true;  // rows are merged as they come: one tree. False: a tree for each worker
+  int workers = 1;      // that part the samples among them, >= 1; unused where they share
   int depth = 32;  // longest path, 1 to kMaxPathLength; the task's remaining length cuts it too
   std::uint64_t seed = 0;  // breaks ties
   std::int64_t deadline_us =
       0;  // no rollout starts from then on, on the caller's steady clock; 0: none
-  bool skip_exhausted = false;  // do not walk into futures that are wholly known (the paper does)
   int listed_futures =
       16;  // runners-up and rejected futures listed in a Plan, at most this many each
   std::int64_t patience_us =
@@ -48,7 +33,6 @@ struct SearchParameters {
   // Rollouts a single Advance gives up because their leaf is asked for already, before it leaves it
   // at that: beyond it, more leaves in flight would only crowd where others look already.
   int collisions = 8;
-  int warm_paths = 32;  // futures of a former search that WarmStart has evaluated early
 
   // Throws std::invalid_argument naming the field and its range.
   void Validate() const;

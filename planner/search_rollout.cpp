@@ -50,21 +50,14 @@ void Search::ListChildren(PathId id) {
   const Node node = nodes_[id];
   for (int i = 0; i < node.num_allowed; ++i) {
     const int action = allowed_[node.first_allowed + i];
-    if (Permitted(id, action)) children_.Append(paths_, id, action, QOf(id, action));
+    if (Permitted(id, action)) {
+      children_.Append(paths_, id, action, evaluations_.q(id)[action]);
+    }
   }
 }
 
-// Q, and halfway between it and what a former search found there, if there was one.
-double Search::QOf(PathId id, int action) const {
-  const double q = evaluations_.q(id)[action];
-  const PathId child = warm_q_.empty() ? kNoPath : paths_.Find(id, action);
-  if (child == kNoPath || child >= static_cast<int>(warm_q_.size())) return q;
-  return warm_q_[child] < 0 ? q : (q + warm_q_[child]) / 2;
-}
-
-// SAMPLE: the best permitted child, or kNoPath. Exhausted children come last where they are to be
-// skipped. `before`: others that choose here just before this rollout, of whom nothing was heard
-// yet; in the end, those of them that went the same way.
+// SAMPLE: the best permitted child, or kNoPath. `before`: others that choose here just before this
+// rollout, of whom nothing was heard yet; in the end, those of them that went the same way.
 PathId Search::SelectChild(PathId id, std::int64_t* before) {
   ListChildren(id);
   const ChildLists::List list = children_.Of(id);
@@ -88,14 +81,10 @@ PathId Search::SelectChild(PathId id, std::int64_t* before) {
 
 int Search::Best(const ParentView& parent, const ChildEntry* entries, int count) {
   rule_->ScoreAll(parent, views_.data(), count, scores_.data());
-  const bool skip = parameters_.skip_exhausted;
   int best = 0;
   for (int i = 1; i < count; ++i) {
-    const bool fresh = skip && Exhausted(entries[best].id) && !Exhausted(entries[i].id);
-    const bool stale = skip && !Exhausted(entries[best].id) && Exhausted(entries[i].id);
-    if (stale || (!fresh && scores_[i] < scores_[best])) continue;
-    if (!fresh && scores_[i] == scores_[best] && entries[i].tie <= entries[best].tie) continue;
-    best = i;
+    const bool tie = scores_[i] == scores_[best];
+    if (scores_[i] > scores_[best] || (tie && entries[i].tie > entries[best].tie)) best = i;
   }
   return best;
 }
@@ -190,8 +179,6 @@ void Search::GiveUp(PathId leaf) {
 
 void Search::Absorb() {
   for (const PathId id : statistics_.TakeNewlyVisited()) UpdateExhausted(id);
-  const std::int64_t rollouts = statistics_.totals(kRoot).visits;
-  if (settlement_.Due(rollouts)) settlement_.Update(Source(), rollouts);
 }
 
 void Search::UpdateExhausted(PathId id) {

@@ -1,7 +1,6 @@
 #include "planner/selection_rule.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "planner/gumbel_rule.h"
@@ -34,22 +33,6 @@ class Paper : public ChildByChild<Paper> {
   double c_;
 };
 
-class PaperLiteral : public ChildByChild<PaperLiteral> {
- public:
-  explicit PaperLiteral(double c) : c_(c) {}
-  double Of(const ParentView&, const ChildView& child) const {
-    const auto counted = static_cast<double>(child.visits + child.in_flight);
-    if (counted == 0) return kFirst + child.q;
-    return c_ * child.q / counted + child.best;
-  }
-  Backup backup() const override { return Backup::kValueProduct; }
-
- private:
-  // Stands for the formula's infinity at N = 0, and leaves room to order by Q.
-  static constexpr double kFirst = 1e9;
-  double c_;
-};
-
 double PuctBonus(double c_puct, const ParentView& parent, const ChildView& child) {
   const auto tried = static_cast<double>(parent.visits + parent.in_flight);
   const auto here = static_cast<double>(child.visits + child.in_flight);
@@ -69,23 +52,6 @@ class Puct : public ChildByChild<Puct> {
   double c_puct_;
 };
 
-class PuctVirtualLoss : public ChildByChild<PuctVirtualLoss> {
- public:
-  explicit PuctVirtualLoss(double c_puct) : c_puct_(c_puct) {}
-  double Of(const ParentView& parent, const ChildView& child) const {
-    return MeanWithLosses(parent, child) + PuctBonus(c_puct_, parent, child);
-  }
-  Backup backup() const override { return Backup::kPlanScore; }
-
- private:
-  static double MeanWithLosses(const ParentView& parent, const ChildView& child) {
-    const std::int64_t counted = child.visits + child.in_flight;
-    if (counted == 0) return parent.mean;
-    return child.mean * static_cast<double>(child.visits) / static_cast<double>(counted);
-  }
-  double c_puct_;
-};
-
 class Random : public ChildByChild<Random> {
  public:
   double Of(const ParentView& parent, const ChildView& child) const {
@@ -95,28 +61,34 @@ class Random : public ChildByChild<Random> {
   Backup backup() const override { return Backup::kPlanScore; }
 };
 
-std::string AllNames() {
-  std::string names;
-  for (const std::string& name : SelectionRuleNames()) names += " " + name;
-  return names;
-}
+using Made = std::unique_ptr<const SelectionRule>;
+
+struct NamedRule {
+  const char* name;
+  Made (*make)(double c, double c_puct);
+};
+constexpr NamedRule kRules[] = {
+    {"paper", [](double c, double) -> Made { return std::make_unique<Paper>(c); }},
+    {"puct", [](double, double c_puct) -> Made { return std::make_unique<Puct>(c_puct); }},
+    {"gumbel", [](double, double) -> Made { return MakeGumbelRule(); }},
+    {"random", [](double, double) -> Made { return std::make_unique<Random>(); }},
+};
 
 }  // namespace
 
-std::unique_ptr<const SelectionRule> MakeSelectionRule(const std::string& name, double c,
+std::unique_ptr<const SelectionRule> MakeSelectionRule(std::string_view name, double c,
                                                        double c_puct) {
-  if (name == "paper") return std::make_unique<Paper>(c);
-  if (name == "paper-literal") return std::make_unique<PaperLiteral>(c);
-  if (name == "puct") return std::make_unique<Puct>(c_puct);
-  if (name == "puct-virtual-loss") return std::make_unique<PuctVirtualLoss>(c_puct);
-  if (name == "gumbel") return MakeGumbelRule();
-  if (name == "random") return std::make_unique<Random>();
-  throw std::invalid_argument("no selection rule '" + name + "'; there are:" + AllNames());
+  std::string known;
+  for (const NamedRule& rule : kRules) {
+    if (name == rule.name) return rule.make(c, c_puct);
+    known += std::string(" ") + rule.name;
+  }
+  throw std::invalid_argument("no selection rule '" + std::string(name) + "'; there are:" + known);
 }
 
-const std::vector<std::string>& SelectionRuleNames() {
-  static const std::vector<std::string> names = {"paper", "paper-literal", "puct",
-                                                 "puct-virtual-loss", "random"};
+std::vector<std::string> SelectionRuleNames() {
+  std::vector<std::string> names;
+  for (const NamedRule& rule : kRules) names.emplace_back(rule.name);
   return names;
 }
 

@@ -3,27 +3,24 @@
 // hash(search seed, worker index, path). Rules are immutable and safe from any thread.
 //
 // Names for MakeSelectionRule:
-//   paper              c Q / (N + O + 1) + v*, v* = 0 if unvisited. Paper, Algorithm 1 (SAMPLE),
-//                      with the visit about to be made counted in N (the paper's formula is
-//                      undefined at N = 0) and visits in flight O beside it.
-//                      Backs up the product of V.
-//   paper-literal      c Q / (N + O) + v*, and a child with N + O = 0 before all others, the higher
-//                      Q first: the paper's formula to the letter. Backs up the product of V.
-//   puct               W/N + c_puct P sqrt(N_parent + O_parent) / (1 + N + O), where P = Q / sum of
-//                      Q over the children (Silver et al. 2017). Visits in flight enter the bonus
-//                      only, as in WU-UCT (Liu et al. 2020) and lc0. An unvisited child's mean is
-//                      its parent's. Backs up the plan score.
-//   puct-virtual-loss  As puct, but a visit in flight counts as one that returned 0
-//                      (Chaslot et al. 2008).
-//   gumbel             For small budgets: sequential halving over Gumbel-Top-k actions at the root,
-//                      planner/gumbel_rule.h (Danihelka et al. 2022). Backs up the plan score.
-//   random             Uniform over the children, a function of seed, worker, path and visits.
-//                      Backs up the plan score.
+//   paper   c Q / (N + O + 1) + v*, v* = 0 if unvisited. Paper, Algorithm 1 (SAMPLE), with the
+//   visit
+//           about to be made counted in N (the paper's formula is undefined at N = 0) and visits in
+//           flight O beside it. Backs up the product of V.
+//   puct    W/N + c_puct P sqrt(N_parent + O_parent) / (1 + N + O), where P = Q / sum of Q over the
+//           children (Silver et al. 2017). Visits in flight enter the bonus only, as in WU-UCT (Liu
+//           et al. 2020) and lc0. An unvisited child's mean is its parent's. Backs up the plan
+//           score.
+//   gumbel  For small budgets: sequential halving over Gumbel-Top-k actions at the root,
+//           planner/gumbel_rule.h (Danihelka et al. 2022). Backs up the plan score.
+//   random  Uniform over the children, a function of seed, worker, path and visits. Backs up the
+//           plan score.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace prospect::planner {
@@ -62,12 +59,6 @@ class SelectionRule {
   virtual void ScoreAll(const ParentView& parent, const ChildView* children, int count,
                         double* scores) const = 0;
   virtual Backup backup() const = 0;
-  // The score of a child that has no siblings.
-  double Score(const ParentView& parent, const ChildView& child) const {
-    double score = 0;
-    ScoreAll(parent, &child, 1, &score);
-    return score;
-  }
 };
 
 // The action's share of Q among its siblings; all alike where Q gives no hint.
@@ -77,10 +68,10 @@ inline double Prior(const ParentView& parent, const ChildView& child) {
 
 // c: the paper's exploration constant; c_puct: PUCT's. Throws std::invalid_argument listing the
 // names for an unknown one.
-std::unique_ptr<const SelectionRule> MakeSelectionRule(const std::string& name, double c,
+std::unique_ptr<const SelectionRule> MakeSelectionRule(std::string_view name, double c,
                                                        double c_puct);
 
-// The names above, in that order.
-const std::vector<std::string>& SelectionRuleNames();
+// The names above, in that order: what --rule takes.
+std::vector<std::string> SelectionRuleNames();
 
 }  // namespace prospect::planner

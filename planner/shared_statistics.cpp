@@ -257,7 +257,7 @@ bool SharedStatistics::Sound(const StatisticsRow& row) {
 
 bool SharedStatistics::RoomFor(std::uint64_t writer) {
   const bool room =
-      static_cast<int>(writers_.size()) < options_.max_writers || writer_index_.count(writer) > 0;
+      static_cast<int>(writers_.size()) < options_.max_writers || writer_index_.contains(writer);
   if (!room) ++refusals_.writers;
   return room;
 }

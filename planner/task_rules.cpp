@@ -189,7 +189,7 @@ std::vector<int> TaskRules::AllowedActions(const Path& executed, const Path& pat
                                 : !LeadsToAnEnd(executed, path, path.size(), action);
   };
   if (!goal.empty() || !std::all_of(actions.begin(), actions.end(), leads_nowhere)) {
-    actions.erase(std::remove_if(actions.begin(), actions.end(), leads_nowhere), actions.end());
+    std::erase_if(actions, leads_nowhere);
   }
   return actions;
 }
@@ -205,9 +205,7 @@ std::vector<int> TaskRules::Following(const Path& executed, const Path& path) co
   const auto taken = [&](int action) {
     return Contains(executed, action) || Contains(path, action);
   };
-  if (!repeats_allowed) {
-    actions.erase(std::remove_if(actions.begin(), actions.end(), taken), actions.end());
-  }
+  if (!repeats_allowed) std::erase_if(actions, taken);
   return actions;
 }
 

@@ -58,11 +58,10 @@ void AddOptions(CLI::App* app, Options* options) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app->add_flag("--simulated", options->simulated, "Only the simulated workers");
-  app->add_option(
-      "--arm", options->arms,
-      "A way of searching, such as workers=8,sharing=merge-at-end,drop=0.3; as often as "
-      "wanted, the first is what the others are compared with. Default: one for each "
-      "number of workers");
+  app->add_option("--arm", options->arms,
+                  "A way of searching, such as workers=8,sharing=0,drop=0.3; as often as "
+                  "wanted, the first is what the others are compared with. Default: one for each "
+                  "number of workers");
   app->add_option("--first-seed", options->first_seed, "Seed of the first tree")
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();

@@ -1,5 +1,6 @@
 #include "cli/options/episode.h"
 
+#include "cli/options/rule.h"
 #include "cli/options/task.h"
 #include "cli/values.h"
 
@@ -20,6 +21,7 @@ void DefineSearch(CLI::App& app, EpisodeOptions& options) {
       ->transform(Whole(0, 32))
       ->default_str("0: what remains of the plan")
       ->group(kSearchGroup);
+  DefineRule(app, options.rule)->group(kSearchGroup);
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ void BundleWeights(const std::string& weights, const std::string& folder) {
   WriteWeights(to.string(), planning.tensors, planning.metadata);
   if (!ReadsLabels(planning)) return;
   WeightsFile classifiers = ReadWeights(ClassifiersPath(weights));
-  const auto is_c = [](const std::string& name) { return name.rfind("classifier.", 0) == 0; };
+  const auto is_c = [](const std::string& name) { return name.starts_with("classifier."); };
   for (auto it = classifiers.tensors.begin(); it != classifiers.tensors.end();) {
     it = is_c(it->first) ? classifiers.tensors.erase(it) : std::next(it);
   }

@@ -80,7 +80,7 @@ class Curves {
  private:
   bool Keeps(const std::string& line, std::int64_t keep_to) const {
     const std::string prefix = stage_ + ",";
-    if (line.compare(0, prefix.size(), prefix) != 0) return true;
+    if (!line.starts_with(prefix)) return true;
     return std::strtoll(line.c_str() + prefix.size(), nullptr, 10) <= keep_to;
   }
   void Drop(std::int64_t keep_to) const {

@@ -46,7 +46,7 @@ const std::set<std::string> kStages = {"classifier", "second-classifier", "encod
 
 void RequireKnownStages(const std::set<std::string>& stages) {
   for (const std::string& stage : stages) {
-    if (kStages.count(stage) == 0) {
+    if (!kStages.contains(stage)) {
       throw std::invalid_argument("stage '" + stage +
                                   "': known are classifier, second-classifier, encoder-decoder, "
                                   "transform and heads");
@@ -87,7 +87,7 @@ std::string StageOf(const std::string& network) {
 
 /// Whether a stage's networks begin from the weights that were given.
 bool BeginsFrom(const TrainOptions& options, const std::string& stage) {
-  return !options.from.empty() && options.fresh.count(stage) == 0;
+  return !options.from.empty() && !options.fresh.contains(stage);
 }
 
 bool TrainsHeads(const TrainConfig& config, const SampleSet& samples, const TrainOptions& options) {
@@ -140,7 +140,7 @@ SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
   if (options.stages.empty()) {
     RequireParts(file, samples, {Split::kTrain, Split::kValid, Split::kTest});
   }
-  const bool heads = options.stages.empty() || options.stages.count("heads") > 0;
+  const bool heads = options.stages.empty() || options.stages.contains("heads");
   if (heads && TrainsHeads(config, samples, options)) RequireSuccess(file, samples);
   return samples;
 }
@@ -151,7 +151,7 @@ void AddMissingExtras(const NetworkConfig& config, WeightsFile* weights) {
   neutral->NeutraliseExtras();
   for (const auto& item : neutral->named_parameters()) {
     const std::string& name = item.key();
-    if (name.rfind("modulation.", 0) != 0 && name.rfind("mask.", 0) != 0) continue;
+    if (!name.starts_with("modulation.") && !name.starts_with("mask.")) continue;
     weights->tensors.emplace("transform." + name, item.value().detach());
   }
 }
@@ -245,7 +245,7 @@ struct Trainer::Impl {
   }
 
   bool Wants(const std::string& stage) const {
-    return options.stages.empty() || options.stages.count(stage) > 0;
+    return options.stages.empty() || options.stages.contains(stage);
   }
 
   /// First weights of one network: from the weights file asked for, or random, by the network's own
@@ -284,7 +284,7 @@ struct Trainer::Impl {
 
   /// A stage's key says that its networks did not begin from the weights that were given.
   void AddFresh(const std::string& stage, json* inputs) const {
-    if (options.fresh.count(stage) > 0) inputs->push_back("fresh");
+    if (options.fresh.contains(stage)) inputs->push_back("fresh");
   }
   std::string BaseKey() const {
     return KeyOf({"base-1", data_key, config.seed, config.shards, options.device, from_hash});

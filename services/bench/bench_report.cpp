@@ -60,6 +60,7 @@ json RowOf(int workers, const std::vector<SearchRun>& runs, const SearchBenchOpt
   row["rollouts_per_s"] = Ratio(rollouts, seconds);
   row["evaluations_per_s"] = Ratio(evaluations, seconds);
   row["evaluations_per_rollout"] = Ratio(evaluations, rollouts);
+  row["requested_per_rollout"] = Ratio(Sum(runs, [](auto& r) { return r.requested; }), rollouts);
   row["mean_batch"] = Ratio(evaluations, batches);
   row["batch_share"] = Ratio(evaluations, batches * options.max_batch);
   row["compute_share"] =

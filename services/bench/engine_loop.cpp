@@ -31,7 +31,7 @@ double Run(model::Engine& engine, const model::Hidden& root,
     for (int i = SizeOf(batches, mean); i > 0; --i, ++rows) {
       const auto& from = states[static_cast<std::size_t>(rows) % states.size()];
       const auto action = static_cast<int>(rows) % engine.info().num_actions;
-      inputs.push_back({root.data(), from.h.data(), action});
+      inputs.push_back({root, from.h, action});
     }
     engine.Expand(inputs);
     ++batches;
@@ -45,9 +45,9 @@ double EngineLoopRate(model::Engine& engine, double mean_batch, double seconds) 
   const auto& info = engine.info();
   const std::vector<std::uint8_t> picture(
       static_cast<std::size_t>(info.image_width * info.image_height * 3), 90);
-  const model::Hidden root = engine.Encode(picture.data());
+  const model::Hidden root = engine.Encode(picture);
   std::vector<model::ExpandInput> first;
-  for (int a = 0; a < info.num_actions; ++a) first.push_back({root.data(), root.data(), a});
+  for (int a = 0; a < info.num_actions; ++a) first.push_back({root, root, a});
   const auto states = engine.Expand(first);
   Run(engine, root, states, mean_batch, seconds / 6);
   return Run(engine, root, states, mean_batch, seconds);

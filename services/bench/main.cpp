@@ -11,6 +11,7 @@
 
 #include "base/json_file.h"
 #include "base/run_main.h"
+#include "planner/selection_rule.h"
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_loop.h"
 #include "services/bench/plot.h"
@@ -47,7 +48,9 @@ void AddSearchOptions(CLI::App& app, SearchBenchOptions& bench) {
   app.add_option("--first-seed", bench.first_seed, "the first tree")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--rule", bench.rule, "selection rule")->capture_default_str();
+  app.add_option("--rule", bench.rule, "selection rule")
+      ->check(CLI::IsMember(prospect::planner::SelectionRuleNames()))
+      ->capture_default_str();
   app.add_option(
          "--leaves", bench.leaves,
          "evaluations a worker keeps in flight: one number for all, or one for each of --workers")
@@ -58,7 +61,8 @@ void AddSearchOptions(CLI::App& app, SearchBenchOptions& bench) {
                  "actions in a plan (scripted-tree has its own)")
       ->check(CLI::Range(1, 32))
       ->capture_default_str();
-  app.add_flag("!--no-sharing", bench.sharing, "workers search apart");
+  app.add_flag("!--no-sharing", bench.sharing,
+               "each worker searches a tree of its own, for comparison");
   app.add_flag("!--no-prune", bench.prune, "f, V and p cut nothing off: the whole tree is open");
 }
 

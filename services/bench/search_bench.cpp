@@ -106,7 +106,7 @@ void SearchBench::TellTask() {
   talk_.Until([&] { return left == 0; }, kInfoMs, [&] { talk_.Say(task_), --left; }, 5);
 }
 
-SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int leaves) const {
+SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int workers, int leaves) const {
   SearchQuestion question;
   search_image_t image{};
   image.image_id = 1;
@@ -123,9 +123,10 @@ SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int leaves) const {
   root.image0_id = root.image_id = image.image_id;
   root.time_left = -1;
   root.leaves = leaves;
-  root.sharing = options_.sharing ? 1 : 0;
   planner::SearchParameters parameters;
   parameters.rule = options_.rule;
+  parameters.sharing = options_.sharing;
+  parameters.workers = workers;
   parameters.samples = options_.samples;
   parameters.depth = options_.plan_length;
   parameters.seed = static_cast<std::uint64_t>(seed);
@@ -154,16 +155,17 @@ void SearchBench::FillFromServers(const std::vector<model_info_t>& before, Searc
   run->batch_seconds = ComputeSeconds(after) - ComputeSeconds(before);
 }
 
-SearchRun SearchBench::MeasureOne(std::int64_t seed, int leaves) {
+SearchRun SearchBench::MeasureOne(std::int64_t seed, int workers, int leaves) {
   SearchRun run;
   run.seed = seed;
   const auto before = FreshInfos(0);
   const double server_cpu = crew_.ServerCpu(), worker_cpu = crew_.WorkerCpu();
   traffic_.Reset();
-  const SearchAnswer answer = session_.Search(QuestionFor(seed, leaves));
+  const SearchAnswer answer = session_.Search(QuestionFor(seed, workers, leaves));
   run.server_cpu = crew_.ServerCpu() - server_cpu;
   run.worker_cpu = crew_.WorkerCpu() - worker_cpu;
   run.rollouts = answer.rollouts;
+  run.requested = answer.requested;
   run.seconds = answer.searching_seconds;
   run.converged = answer.converged;
   run.statistics_bytes = traffic_.statistics_bytes();
@@ -189,7 +191,7 @@ std::vector<SearchRun> SearchBench::Measure(int workers, int leaves) {
   TellTask();
   std::vector<SearchRun> runs;
   for (int i = 0; i < options_.seeds; ++i)
-    runs.push_back(MeasureOne(options_.first_seed + i, leaves));
+    runs.push_back(MeasureOne(options_.first_seed + i, workers, leaves));
   return runs;
 }
 

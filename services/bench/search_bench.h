@@ -25,8 +25,8 @@ struct SearchBenchOptions {
   int seeds = 10;  ///< searches a worker count, each on a tree of its own
   std::int64_t first_seed = 0;
   int plan_length = 6;
-  bool sharing = true;
-  bool prune = true;  ///< off: f, V and p cut nothing off, so that any network's tree is full
+  bool sharing = true;  ///< off: each worker searches a tree of its own
+  bool prune = true;    ///< off: f, V and p cut nothing off, so that any network's tree is full
 };
 
 /// One search as measured.
@@ -34,6 +34,7 @@ struct SearchRun {
   std::int64_t seed = 0;
   std::int64_t rollouts = 0;
   std::int64_t evaluations = 0;  ///< rows that servers computed
+  std::int64_t requested = 0;    ///< evaluations that workers asked for, summed over workers
   std::int64_t batches = 0;
   double seconds = 0;                     ///< from the first answer to the budget's end
   double batch_seconds = 0;               ///< that servers spent computing
@@ -60,8 +61,8 @@ class SearchBench {
  private:
   void PrepareTask();
   void TellTask();
-  SearchQuestion QuestionFor(std::int64_t seed, int leaves) const;
-  SearchRun MeasureOne(std::int64_t seed, int leaves);
+  SearchQuestion QuestionFor(std::int64_t seed, int workers, int leaves) const;
+  SearchRun MeasureOne(std::int64_t seed, int workers, int leaves);
   void FillFromServers(const std::vector<model_info_t>& before, SearchRun* run);
   std::vector<model_info_t> FreshInfos(std::int64_t since_utime);
 

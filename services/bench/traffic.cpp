@@ -6,12 +6,15 @@
 
 namespace prospect::services {
 Traffic::Traffic(Bus& bus) {
-  bus.Subscribe<search_statistics_t>([this](const search_statistics_t& statistics) {
-    statistics_bytes_ += statistics.getEncodedSize();
-    ++statistics_messages_;
-  });
-  bus.Subscribe<expand_request_t>([this](const expand_request_t& request) { OnRequest(request); });
-  bus.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); });
+  subscriptions_.push_back(
+      bus.Subscribe<search_statistics_t>([this](const search_statistics_t& statistics) {
+        statistics_bytes_ += statistics.getEncodedSize();
+        ++statistics_messages_;
+      }));
+  subscriptions_.push_back(bus.Subscribe<expand_request_t>(
+      [this](const expand_request_t& request) { OnRequest(request); }));
+  subscriptions_.push_back(
+      bus.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); }));
 }
 
 void Traffic::Reset() {

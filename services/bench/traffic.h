@@ -43,6 +43,7 @@ class Traffic {
   std::int64_t first_us_ = 0, last_us_ = 0;
   std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> open_;  // asked and not answered
   std::vector<double> latencies_ms_;
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

@@ -102,7 +102,7 @@ void RequestWindow::Forget(const std::vector<evaluation_t>& evaluations, std::in
       return std::any_of(evaluations.begin(), evaluations.end(),
                          [&](const evaluation_t& e) { return e.path.actions == path; });
     };
-    paths.erase(std::remove_if(paths.begin(), paths.end(), answered), paths.end());
+    std::erase_if(paths, answered);
     if (!paths.empty()) {
       ++it;
       continue;

@@ -21,28 +21,17 @@ constexpr NamedParameter kNamed[] = {
     {"p_min", &SearchParameters::p_min},
     {"refusal_threshold", &SearchParameters::refusal_threshold},
 };
-constexpr char kSkipExhausted[] = "skip_exhausted";
-constexpr char kMergeAtEnd[] = "merge_at_end";
 constexpr char kWorkers[] = "workers";
-constexpr char kEvaluations[] = "evaluations";
-constexpr char kStopWhenProven[] = "stop_when_proven";
-constexpr char kStopWhenStable[] = "stop_when_stable";
+
+// What is out of range becomes the nearest; a number of workers that is none, one.
+int WorkersOf(const search_root_t& root) {
+  const double workers = ParameterOr(root, kWorkers, 1);
+  return workers > 1 ? static_cast<int>(std::min(workers, 2147483647.0)) : 1;
+}
 
 void Add(const char* name, double value, search_root_t* root) {
   root->parameter_names.emplace_back(name);
   root->parameter_values.push_back(value);
-}
-
-// A whole number from 0 to 2^31 - 1; what lies beyond becomes the nearest.
-std::int64_t WholeOr(const search_root_t& root, const char* name, double otherwise) {
-  return static_cast<std::int64_t>(
-      std::clamp(ParameterOr(root, name, otherwise), 0.0, 2147483647.0));
-}
-
-planner::Sharing SharingOf(const search_root_t& root) {
-  if (root.sharing) return planner::Sharing::kFull;
-  const bool merge = ParameterOr(root, kMergeAtEnd, 0) != 0;
-  return merge ? planner::Sharing::kMergeAtEnd : planner::Sharing::kNone;
 }
 
 }  // namespace
@@ -52,13 +41,8 @@ void SetParameters(const SearchParameters& parameters, search_root_t* root) {
   root->parameter_names.clear();
   root->parameter_values.clear();
   for (const auto& named : kNamed) Add(named.name, parameters.*named.field, root);
-  Add(kSkipExhausted, parameters.skip_exhausted ? 1 : 0, root);
-  root->sharing = parameters.sharing == planner::Sharing::kFull ? 1 : 0;
-  Add(kMergeAtEnd, parameters.sharing == planner::Sharing::kMergeAtEnd ? 1 : 0, root);
+  root->sharing = parameters.sharing ? 1 : 0;
   Add(kWorkers, parameters.workers, root);
-  Add(kEvaluations, static_cast<double>(parameters.evaluations), root);
-  Add(kStopWhenProven, parameters.stop_when_proven ? 1 : 0, root);
-  Add(kStopWhenStable, static_cast<double>(parameters.stop_when_stable), root);
   root->num_parameters = static_cast<std::int32_t>(root->parameter_names.size());
   root->depth = parameters.depth;
   root->samples = static_cast<std::int32_t>(parameters.samples);
@@ -83,12 +67,8 @@ SearchParameters ParametersFrom(const search_root_t& root, std::int64_t now_us) 
   for (const auto& named : kNamed) {
     parameters.*named.field = ParameterOr(root, named.name, parameters.*named.field);
   }
-  parameters.skip_exhausted = ParameterOr(root, kSkipExhausted, 0) != 0;
-  parameters.sharing = SharingOf(root);
-  parameters.workers = std::max(1, static_cast<int>(WholeOr(root, kWorkers, 1)));
-  parameters.evaluations = WholeOr(root, kEvaluations, 0);
-  parameters.stop_when_proven = ParameterOr(root, kStopWhenProven, 0) != 0;
-  parameters.stop_when_stable = WholeOr(root, kStopWhenStable, 0);
+  parameters.sharing = root.sharing != 0;
+  parameters.workers = WorkersOf(root);
   parameters.depth = root.depth;
   parameters.samples = root.samples;
   parameters.seed = static_cast<std::uint64_t>(root.seed);

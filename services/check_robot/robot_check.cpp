@@ -41,18 +41,18 @@ std::string TableDefect(const task_t& task) {
 }  // namespace
 
 RobotCheck::RobotCheck(Bus& bus) : bus_(bus), monitor_(bus), health_(bus, "executive") {
-  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
-  bus_.Subscribe<observation_t>([this](observation_t picture) {
+  subscriptions_.push_back(bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; }));
+  subscriptions_.push_back(bus_.Subscribe<observation_t>([this](observation_t picture) {
     picture.data.clear();
     episode_id_ = picture.episode_id;
     pictures_.push_back(std::move(picture));
-  });
-  bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
+  }));
+  subscriptions_.push_back(bus_.Subscribe<action_status_t>([this](const action_status_t& status) {
     status_ = status;
     if (status.state == action_status_t::STATE_REFUSED)
       refusals_[status.executive_id] = status.reason;
     status_ms_.push_back(SteadyMs());
-  });
+  }));
 }
 
 bool RobotCheck::Until(const Condition& condition, double seconds, const Condition& repeat) {

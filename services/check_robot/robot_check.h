@@ -70,6 +70,7 @@ class RobotCheck {
   std::int64_t last_id_ = 0, last_scene_ = 0;
   int willing_ = -1;  // an action that was not refused
   std::vector<RobotFinding> findings_;
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

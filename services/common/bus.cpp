@@ -152,15 +152,15 @@ void Bus::Open(const std::string& channel, int queue_capacity) {
   }
 }
 
-void Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
+Subscription Bus::SubscribeAll(std::function<void(const RawMessage&)> handler) {
   constexpr int kEverything = 8192;
   // One pattern for all channels: it also brings those of Subscribe(), so a tool uses one or the
   // other.
   if (!hubs_.empty())
     throw std::logic_error("SubscribeAll() and Subscribe() exclude each other on one Bus");
-  if (raw_handlers_.empty() && !connection_->Subscribe(".*", kEverything))
-    throw BusError(BusAdvice(url_));
-  raw_handlers_.push_back(std::move(handler));
+  if (!hears_all_ && !connection_->Subscribe(".*", kEverything)) throw BusError(BusAdvice(url_));
+  hears_all_ = true;
+  return raw_handlers_.Add(std::move(handler));
 }
 
 bool Bus::PublishRaw(const std::string& channel, const std::vector<std::uint8_t>& bytes) {
@@ -204,11 +204,12 @@ int Bus::Poll(int timeout_ms) {
 }
 
 void Bus::Dispatch(RawMessage message) {
-  const auto hub = hubs_.find(message.channel);
-  if (hub == hubs_.end() && raw_handlers_.empty()) return;
+  const auto found = hubs_.find(message.channel);
+  Hub* hub = found == hubs_.end() || found->second->empty() ? nullptr : found->second.get();
+  if (!hub && raw_handlers_.empty()) return;
   if (verifier_) message.refused = verifier_->Verify(message.channel, &message.bytes);
-  for (const auto& handler : raw_handlers_) handler(message);
-  if (hub == hubs_.end()) return;
+  raw_handlers_.Call(message);
+  if (!hub) return;
   // Counted before the handlers run, so that the count holds even if one throws.
   ChannelCounters& counters = counters_[message.channel];
   if (message.refused) {
@@ -216,7 +217,7 @@ void Bus::Dispatch(RawMessage message) {
     return;
   }
   ++counters.received;
-  const std::string reason = hub->second->Take(message);
+  const std::string reason = hub->Take(message);
   if (reason.empty()) return;
   --counters.received;
   ++counters.refused[reason];

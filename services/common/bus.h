@@ -15,6 +15,7 @@
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
 #include "services/common/raw_message.h"
+#include "services/common/subscription.h"
 
 namespace prospect::services {
 
@@ -72,21 +73,22 @@ class Bus {
 
   /// Calls `handler` from Poll() for each valid message of `channel`. The name is taken literally,
   /// not as a regular expression. Several handlers on one channel are called in order of
-  /// subscription. A subscription lasts as long as the bus.
+  /// subscription, until what is returned is destroyed.
   /// @throws BusError when LCM refuses; std::logic_error when the channel was subscribed to with
   /// another type
   template <class T>
-  void Subscribe(const std::string& channel, std::function<void(const T&)> handler);
+  Subscription Subscribe(const std::string& channel, std::function<void(const T&)> handler);
 
   /// The same on T's own channel.
   template <class T>
-  void Subscribe(std::function<void(const T&)> handler) {
-    Subscribe<T>(ChannelOf<T>(), std::move(handler));
+  Subscription Subscribe(std::function<void(const T&)> handler) {
+    return Subscribe<T>(ChannelOf<T>(), std::move(handler));
   }
 
   /// Calls `handler` from Poll() for each message on any channel, without its tag and unchecked but
-  /// for that: for tools that list traffic. @throws BusError
-  void SubscribeAll(std::function<void(const RawMessage&)> handler);
+  /// for that, until what is returned is destroyed: for tools that list traffic. @throws BusError;
+  /// std::logic_error after a Subscribe()
+  Subscription SubscribeAll(std::function<void(const RawMessage&)> handler);
 
   /// Sends a message. @return false when LCM could not send it (too large, no route any more); true
   /// says nothing about arrival.
@@ -137,6 +139,7 @@ class Bus {
   // A channel's handlers with their type forgotten: decodes once for all of them.
   struct Hub {
     virtual ~Hub() = default;
+    virtual bool empty() const = 0;                           // nobody listens any more
     virtual std::string Take(const RawMessage& message) = 0;  // reason of refusal, or empty
   };
   template <class T>
@@ -151,7 +154,8 @@ class Bus {
   std::unique_ptr<MessageSigner> signer_;      // null: an open bus
   std::unique_ptr<MessageVerifier> verifier_;  // null: an open bus
   std::map<std::string, std::unique_ptr<Hub>> hubs_;
-  std::vector<std::function<void(const RawMessage&)>> raw_handlers_;
+  HandlerList<RawMessage> raw_handlers_;
+  bool hears_all_ = false;  // LCM brings every channel
   std::map<std::string, ChannelCounters> counters_;
   std::unique_ptr<Chaos> chaos_;    // null: none
   std::deque<RawMessage> arrived_;  // to be handed on
@@ -160,7 +164,9 @@ class Bus {
 
 template <class T>
 struct Bus::TypedHub : Bus::Hub {
-  std::vector<std::function<void(const T&)>> handlers;
+  HandlerList<T> handlers;
+
+  bool empty() const override { return handlers.empty(); }
 
   std::string Take(const RawMessage& message) override {
     const messages::DecodeResult<T> result =
@@ -168,17 +174,13 @@ struct Bus::TypedHub : Bus::Hub {
     if (!result.ok()) return result.reason;
     const std::string reason = messages::Validate(result.value);
     if (!reason.empty()) return reason;
-    // By index: a handler may subscribe again and so move the vector.
-    for (std::size_t i = 0; i < handlers.size(); ++i) {
-      const std::function<void(const T&)> handler = handlers[i];
-      handler(result.value);
-    }
+    handlers.Call(result.value);
     return "";
   }
 };
 
 template <class T>
-void Bus::Subscribe(const std::string& channel, std::function<void(const T&)> handler) {
+Subscription Bus::Subscribe(const std::string& channel, std::function<void(const T&)> handler) {
   std::unique_ptr<Hub>& hub = hubs_[channel];
   if (!hub) {
     const ChannelInfo* info = FindChannel(channel);
@@ -187,7 +189,7 @@ void Bus::Subscribe(const std::string& channel, std::function<void(const T&)> ha
   }
   auto* typed = dynamic_cast<TypedHub<T>*>(hub.get());
   if (!typed) throw std::logic_error("channel " + channel + " carries another message type");
-  typed->handlers.push_back(std::move(handler));
+  return typed->handlers.Add(std::move(handler));
 }
 
 }  // namespace prospect::services

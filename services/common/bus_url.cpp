@@ -51,7 +51,7 @@ std::string ReceiveBufferWarning(const std::string& url) {
 }
 
 std::string BusAdvice(const std::string& url) {
-  if (url.rfind("tcpq://", 0) == 0) {
+  if (url.starts_with("tcpq://")) {
     return "cannot open the bus '" + url +
            "': no relay answers there: start the relay (docs/network.md), or check host and port "
            "of "

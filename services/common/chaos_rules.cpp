@@ -57,7 +57,7 @@ std::uint64_t Whole(const std::string& key, const std::string& value, std::uint6
 }
 
 std::int64_t Milliseconds(const std::string& value) {
-  const bool unit = value.size() > 2 && value.compare(value.size() - 2, 2, "ms") == 0;
+  const bool unit = value.size() > 2 && value.ends_with("ms");
   return static_cast<std::int64_t>(
       Whole("delay", unit ? value.substr(0, value.size() - 2) : value, kLongestDelayMs));
 }

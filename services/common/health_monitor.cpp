@@ -23,7 +23,7 @@ ExitError InUse(const HealthMonitor::Peer& foreign, const std::string& url) {
 }  // namespace
 
 HealthMonitor::HealthMonitor(Bus& bus) : bus_(bus) {
-  bus.Subscribe<health_t>([this](const health_t& health) {
+  subscription_ = bus.Subscribe<health_t>([this](const health_t& health) {
     const std::int64_t now_ms = SteadyMs();
     // A bus lives longer than most processes on it: those long dead are forgotten.
     constexpr std::int64_t kForgetMs = 60000;

@@ -50,6 +50,7 @@ class HealthMonitor {
 
   Bus& bus_;
   std::map<std::int64_t, Peer> peers_;
+  Subscription subscription_;
 };
 
 }  // namespace prospect::services

@@ -190,11 +190,11 @@ extern "C" int bind(int file, const sockaddr* address, socklen_t size) noexcept 
   return static_cast<int>(syscall(SYS_bind, file, address, size));
 }
 
-bool IsUdpMulticast(const std::string& url) { return url.compare(0, kUdp.size(), kUdp) == 0; }
+bool IsUdpMulticast(const std::string& url) { return url.starts_with(kUdp); }
 
 Reach ReachOf(const std::string& url) {
   if (IsUdpMulticast(url)) return SmallestTtl(url) > 0 ? Reach::kNetwork : Reach::kThisMachine;
-  return url.compare(0, 7, "tcpq://") == 0 ? Reach::kRelay : Reach::kFile;
+  return url.starts_with("tcpq://") ? Reach::kRelay : Reach::kFile;
 }
 
 std::string ReachInWords(const std::string& url) {

@@ -23,20 +23,22 @@ Picture PictureOf(const observation_t& observation) {
 }
 
 BusView::BusView(Bus& bus) : bus_(bus) {
-  bus.Subscribe<task_t>([this](const task_t& task) {
+  subscriptions_.push_back(bus.Subscribe<task_t>([this](const task_t& task) {
     world_heard_ms_ = SteadyMs();
     task_ = task;
     task_hash_ = TaskHash(task);
-  });
-  bus.Subscribe<model_info_t>(
-      [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); });
-  bus.Subscribe<calibration_t>([this](const calibration_t& calibration) {
+  }));
+  subscriptions_.push_back(bus.Subscribe<model_info_t>(
+      [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); }));
+  subscriptions_.push_back(bus.Subscribe<calibration_t>([this](const calibration_t& calibration) {
     calibrations_[calibration.weights_hash] = SampleFrom(calibration);
-  });
-  bus.Subscribe<observation_t>(
-      [this](const observation_t& observation) { OnObservation(observation); });
-  bus.Subscribe<action_status_t>([this](const action_status_t& status) { OnStatus(status); });
-  bus.Subscribe<label_t>([this](const label_t& label) { OnLabel(label); });
+  }));
+  subscriptions_.push_back(bus.Subscribe<observation_t>(
+      [this](const observation_t& observation) { OnObservation(observation); }));
+  subscriptions_.push_back(
+      bus.Subscribe<action_status_t>([this](const action_status_t& status) { OnStatus(status); }));
+  subscriptions_.push_back(
+      bus.Subscribe<label_t>([this](const label_t& label) { OnLabel(label); }));
 }
 
 const model::CalibrationSample* BusView::calibration(std::int64_t weights_hash) const {

@@ -74,6 +74,7 @@ class BusView {
   std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
   std::map<std::int64_t, Picture> frames_;
+  std::vector<Subscription> subscriptions_;
 };
 
 /// The picture in an observation.

@@ -12,10 +12,6 @@ constexpr int kBlocksPerLevel = 9;  // actions by which a tower of stacking grow
 
 void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   auto& search = options.search;
-  app.add_option("--rule", search.rule, "selection rule")
-      ->check(cli::OneOf({"paper", "puct", "puct-virtual-loss", "random"}))
-      ->capture_default_str()
-      ->group(kTuning);
   app.add_option("--c", search.c, "exploration constant of the paper's rule")
       ->check(cli::Real(1e-9, 1e9))
       ->capture_default_str()
@@ -38,8 +34,6 @@ void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   app.add_option("--leaves", options.leaves, "evaluations a worker may have in flight")
       ->transform(cli::Whole(1, 256))
       ->capture_default_str()
-      ->group(kTuning);
-  app.add_flag("!--no-sharing", options.sharing, "workers search apart; for comparison")
       ->group(kTuning);
   app.add_option("--budget-ms", options.budget_ms, "time for one search; -1: none")
       ->transform(cli::Whole(-1, 86'400'000))
@@ -80,6 +74,7 @@ void Take(const cli::ExecutiveOptions& given, ExecutiveCall* call) {
   options.surprise = given.acting.surprise;
   options.search.samples = episode.samples;
   options.search.depth = episode.depth;
+  options.search.rule = episode.rule;
   options.workers = episode.workers > 0 ? episode.workers : 1;
   options.refusal_threshold = episode.refusal.threshold.value_or(-1);
   options.promise.refuse_at_most = episode.refusal.refuse_at_most;

@@ -239,16 +239,9 @@ SearchQuestion Episode::MakeQuestion(const planner::Attempt& attempt) const {
   parameters.refusal_threshold =
       options_.refusal_threshold >= 0 ? options_.refusal_threshold : OwnThreshold();
   question.samples = parameters.samples;
-  parameters.sharing = options_.sharing ? planner::Sharing::kFull : planner::Sharing::kNone;
-  parameters.workers = LiveWorkers();
   SetParameters(parameters, &root);
   if (attempt.plan_length != task.plan_length) SetPlanLength(attempt.plan_length, &root);
   return question;
-}
-
-// Workers that search apart part the samples among them.
-int Episode::LiveWorkers() const {
-  return static_cast<int>(std::max<std::size_t>(1, talk_.monitor().Alive("worker").size()));
 }
 
 // One for each first action that was not chosen: the best future through it, or the one that came

@@ -57,7 +57,6 @@ class Episode {
   planner::NextStep Decide(SearchRecord* record);
   SearchRecord SearchOnce(const planner::Attempt& attempt, planner::Plan* plan);
   SearchQuestion MakeQuestion(const planner::Attempt& attempt) const;
-  int LiveWorkers() const;
   bool Act(int action);
   action_status_t CarryOut(int action);
   bool GoesOn(const action_status_t& status);

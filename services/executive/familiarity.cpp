@@ -56,7 +56,8 @@ Picture DifferenceMap(const Picture& seen, const Picture& redrawn) {
 }
 
 FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+  subscription_ = talk_.bus().Subscribe<predict_reply_t>(
+      [this](const predict_reply_t& reply) { OnReply(reply); });
 }
 
 void FamiliarityInbox::OnReply(const predict_reply_t& reply) {

@@ -56,6 +56,7 @@ class FamiliarityInbox {
   std::int64_t awaited_ = 0;  // request id; 0: none
   std::optional<predict_reply_t> reply_;
   std::string refusal_;  // by which a server last refused to answer; another one may not
+  Subscription subscription_;
 };
 
 }  // namespace prospect::services

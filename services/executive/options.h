@@ -27,7 +27,6 @@ struct ExecutiveOptions {
   model::Promise promise;  ///< asked for: sets refusal_threshold by the weights' calibration
   double novelty = model::kNoveltyLevel;  ///< pictures with a smaller p-value are refused; 0: none
   int leaves = 2;                         ///< evaluations a worker may have in flight
-  bool sharing = true;                    ///< workers take each other's statistics and evaluations
   std::int64_t budget_ms = -1;            ///< time for one search; negative: none
   int workers = 1;                        ///< planner workers to wait for before the first search
   std::string weights_hash;  ///< 16 hexadecimal digits; empty: whatever the first server holds

@@ -15,7 +15,8 @@ constexpr std::int64_t kRepeatMs = 250;
 }  // namespace
 
 PredictionInbox::PredictionInbox(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<predict_reply_t>([this](const predict_reply_t& reply) { OnReply(reply); });
+  subscription_ = talk_.bus().Subscribe<predict_reply_t>(
+      [this](const predict_reply_t& reply) { OnReply(reply); });
 }
 
 void PredictionInbox::OnReply(const predict_reply_t& reply) {

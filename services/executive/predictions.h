@@ -31,6 +31,7 @@ class PredictionInbox {
   std::map<planner::Path, Picture> pictures_;
   std::string refusal_;  // by which a server last refused to draw; another one may not
   std::int64_t next_id_ = 1;
+  Subscription subscription_;
 };
 
 }  // namespace prospect::services

@@ -24,17 +24,19 @@ constexpr int kListedFutures = 4096;
 }  // namespace
 
 SearchSession::SearchSession(Conversation& talk) : talk_(talk), window_(talk.id()) {
-  talk_.bus().Subscribe<expand_reply_t>([this](const expand_reply_t& reply) {
-    if (!shared_) return;
-    if (first_answer_us_ == 0 && !reply.evaluations.empty() &&
-        shared_->Concerns(reply.search_id, reply.epoch))
-      first_answer_us_ = SteadyUs();
-    shared_->Hear(reply);
-    window_.Hear(reply, SteadyMs());
-  });
-  talk_.bus().Subscribe<search_statistics_t>([this](const search_statistics_t& statistics) {
-    if (shared_) shared_->Hear(statistics, SteadyUs());
-  });
+  subscriptions_.push_back(
+      talk_.bus().Subscribe<expand_reply_t>([this](const expand_reply_t& reply) {
+        if (!shared_) return;
+        if (first_answer_us_ == 0 && !reply.evaluations.empty() &&
+            shared_->Concerns(reply.search_id, reply.epoch))
+          first_answer_us_ = SteadyUs();
+        shared_->Hear(reply);
+        window_.Hear(reply, SteadyMs());
+      }));
+  subscriptions_.push_back(
+      talk_.bus().Subscribe<search_statistics_t>([this](const search_statistics_t& statistics) {
+        if (shared_) shared_->Hear(statistics, SteadyUs());
+      }));
 }
 
 void SearchSession::Begin(const SearchQuestion& question) {

@@ -87,6 +87,7 @@ class SearchSession {
   std::int64_t workers_heard_ms_ = 0;
   std::int64_t progress_ms_ = 0;
   std::int64_t progress_ = 0;
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

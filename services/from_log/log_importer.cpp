@@ -59,7 +59,7 @@ ImportRow LogImporter::Import(const RecordedRun& run) {
   try {
     const model::Trial trial = run.ToTrial();
     // Episodes of a robot whose ids are long may come to one number.
-    if (numbers_.count(trial.seed) > 0)
+    if (numbers_.contains(trial.seed))
       throw RunError(trial.simulated ? "this scene was recorded before and is kept already"
                                      : "an episode numbered " + std::to_string(trial.seed) +
                                            " is kept already");

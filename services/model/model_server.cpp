@@ -43,13 +43,17 @@ ModelServer::ModelServer(Bus& bus, model::Engine& engine, const ModelServerOptio
       encoder_(engine),
       queue_(options.queue_paths),
       statistics_(options.batch) {
-  bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
-  bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); });
-  bus_.Subscribe<search_image_t>([this](const search_image_t& image) { OnImage(image); });
-  bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); });
-  bus_.Subscribe<expand_request_t>([this](const expand_request_t& request) { OnExpand(request); });
-  bus_.Subscribe<predict_request_t>(
-      [this](const predict_request_t& request) { OnPredict(request); });
+  subscriptions_.push_back(bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; }));
+  subscriptions_.push_back(
+      bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<search_image_t>([this](const search_image_t& image) { OnImage(image); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); }));
+  subscriptions_.push_back(bus_.Subscribe<expand_request_t>(
+      [this](const expand_request_t& request) { OnExpand(request); }));
+  subscriptions_.push_back(bus_.Subscribe<predict_request_t>(
+      [this](const predict_request_t& request) { OnPredict(request); }));
   health_.SetState(health_t::STATE_READY);
 }
 
@@ -282,7 +286,7 @@ void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
   reply->data = engine_.Decode({state}).at(0);
   if (!options_.novelty) return;
   reply->reason = NoveltyText(options_.novelty->Judge(model::CompareRedrawn(
-      active.present_picture.data(), reply->data, info.image_width, info.image_height, state)));
+      active.present_picture, reply->data, info.image_width, info.image_height, state)));
 }
 
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
@@ -306,8 +310,7 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
       if (!request.want_image) reply.data.clear();
     } else if (request.want_image) {
       reply.data =
-          engine_.DecodeOnto(active->present_picture.data(), active->memory->State({}), {state})
-              .at(0);
+          engine_.DecodeOnto(active->present_picture, active->memory->State({}), {state}).at(0);
     }
     if (!reply.data.empty()) {
       reply.width = engine_.info().image_width;

@@ -103,6 +103,7 @@ class ModelServer {
   std::set<std::int64_t> stopped_searches_;
   std::deque<predict_request_t> predictions_;
   Periodic info_due_{1000};
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

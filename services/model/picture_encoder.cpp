@@ -10,7 +10,7 @@ const model::Hidden& PictureEncoder::Encode(const std::vector<std::uint8_t>& rgb
   if (known != latest_.end()) {
     latest_.splice(latest_.begin(), latest_, known);
   } else {
-    latest_.emplace_front(rgb, engine_.Encode(rgb.data()));
+    latest_.emplace_front(rgb, engine_.Encode(rgb));
     if (latest_.size() > capacity_) latest_.pop_back();
   }
   return latest_.front().second;

@@ -25,13 +25,13 @@ void RequestQueue::Cancel(std::int64_t search_id, std::int32_t epoch) {
   const auto stale = [&](const Entry& entry) {
     return entry.search_id == search_id && entry.epoch < epoch;
   };
-  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), stale), entries_.end());
+  std::erase_if(entries_, stale);
   Recount();
 }
 
 void RequestQueue::Expire(std::int64_t now_us) {
   const auto expired = [&](const Entry& entry) { return entry.expires_us < now_us; };
-  entries_.erase(std::remove_if(entries_.begin(), entries_.end(), expired), entries_.end());
+  std::erase_if(entries_, expired);
   Recount();
 }
 

@@ -31,7 +31,7 @@ model::Hidden Pack(const State& state) {
   return h;
 }
 
-State Unpack(const float* h) {
+State Unpack(std::span<const float> h) {
   const float length = h[kLengthAt];
   if (!(length >= 0 && length <= ScriptedTree::kDepth) || length != std::floor(length))
     throw std::invalid_argument("this state is not a path of the scripted tree");
@@ -71,26 +71,25 @@ std::vector<std::uint8_t> ScriptedTreeEngine::PictureOf(std::uint64_t seed) {
 
 std::uint64_t ScriptedTreeEngine::weights_hash() const { return model::HashText(kTask); }
 
-model::Hidden ScriptedTreeEngine::Encode(const std::uint8_t* rgb) {
-  if (rgb == nullptr) throw std::invalid_argument("Encode: no picture");
+model::Hidden ScriptedTreeEngine::DoEncode(model::Pixels picture) {
   State root;
   for (std::size_t i = 0; i < sizeof root.seed; ++i)
-    root.seed |= static_cast<std::uint64_t>(rgb[i]) << 8 * i;
+    root.seed |= static_cast<std::uint64_t>(picture[i]) << 8 * i;
   return Pack(root);
 }
 
-model::Prediction ScriptedTreeEngine::Evaluate(const float*, const float* h, int) {
+model::Prediction ScriptedTreeEngine::DoEvaluate(std::span<const float>, std::span<const float> h,
+                                                 int) {
   return Answer(Unpack(h));
 }
 
-std::vector<model::Prediction> ScriptedTreeEngine::Expand(
+std::vector<model::Prediction> ScriptedTreeEngine::DoExpand(
     const std::vector<model::ExpandInput>& rows) {
   std::vector<model::Prediction> answers;
   for (const auto& row : rows) {
     State state = Unpack(row.h);
-    if (row.action < 0 || row.action >= info_.num_actions ||
-        state.path.size() >= ScriptedTree::kDepth)
-      throw std::invalid_argument("Expand: action out of range, or the plan is complete");
+    if (state.path.size() >= ScriptedTree::kDepth)
+      throw std::invalid_argument("Expand: the plan is complete");
     state.path.push_back(static_cast<std::uint8_t>(row.action));
     answers.push_back(Answer(state));
     answers.back().h = Pack(state);
@@ -98,11 +97,11 @@ std::vector<model::Prediction> ScriptedTreeEngine::Expand(
   return answers;
 }
 
-std::vector<std::vector<std::uint8_t>> ScriptedTreeEngine::Decode(
+std::vector<std::vector<std::uint8_t>> ScriptedTreeEngine::DoDecode(
     const std::vector<model::Hidden>& states) {
   std::vector<std::vector<std::uint8_t>> pictures;
   for (const auto& h : states) {
-    const std::uint64_t colour = planner::HashPath(Unpack(h.data()).path);
+    const std::uint64_t colour = planner::HashPath(Unpack(h).path);
     std::vector<std::uint8_t> picture(kImageSize * kImageSize * 3);
     for (std::size_t i = 0; i < picture.size(); ++i)
       picture[i] = static_cast<std::uint8_t>(colour >> (i % 3 * 8));
@@ -111,6 +110,6 @@ std::vector<std::vector<std::uint8_t>> ScriptedTreeEngine::Decode(
   return pictures;
 }
 
-std::vector<float> ScriptedTreeEngine::Classify(const std::uint8_t*) { return {}; }
+std::vector<float> ScriptedTreeEngine::DoClassify(model::Pixels) { return {}; }
 
 }  // namespace prospect::services

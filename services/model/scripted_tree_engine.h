@@ -13,13 +13,6 @@ class ScriptedTreeEngine : public model::Engine {
  public:
   ScriptedTreeEngine();
 
-  model::Hidden Encode(const std::uint8_t* rgb) override;
-  model::Prediction Evaluate(const float* h0, const float* h, int previous_action) override;
-  std::vector<model::Prediction> Expand(const std::vector<model::ExpandInput>& rows) override;
-  /// A plain picture whose colour tells the path.
-  std::vector<std::vector<std::uint8_t>> Decode(const std::vector<model::Hidden>& states) override;
-  /// None.
-  std::vector<float> Classify(const std::uint8_t* rgb) override;
   const model::EngineInfo& info() const override { return info_; }
   std::uint64_t weights_hash() const override;
   std::uint64_t fingerprint() const override { return weights_hash(); }
@@ -29,6 +22,17 @@ class ScriptedTreeEngine : public model::Engine {
 
   /// The picture that names tree `seed`.
   static std::vector<std::uint8_t> PictureOf(std::uint64_t seed);
+
+ protected:
+  model::Hidden DoEncode(model::Pixels picture) override;
+  model::Prediction DoEvaluate(std::span<const float> h0, std::span<const float> h,
+                               int previous_action) override;
+  std::vector<model::Prediction> DoExpand(const std::vector<model::ExpandInput>& rows) override;
+  /// A plain picture whose colour tells the path.
+  std::vector<std::vector<std::uint8_t>> DoDecode(
+      const std::vector<model::Hidden>& states) override;
+  /// None.
+  std::vector<float> DoClassify(model::Pixels picture) override;
 
  private:
   model::EngineInfo info_;

@@ -34,7 +34,7 @@ SearchMemory::SharedHidden SearchMemory::Find(const Path& path) {
 
 void SearchMemory::Keep(const Path& path, SharedHidden hidden) {
   pinned_[path] = hidden;
-  if (kept_.count(path)) return;
+  if (kept_.contains(path)) return;
   hidden_bytes_ += hidden->size() * sizeof(float);
   uses_.push_front(path);
   kept_[path] = {std::move(hidden), uses_.begin()};
@@ -81,7 +81,7 @@ std::vector<SearchMemory::PathSet> SearchMemory::MissingInWaves(const std::vecto
   };
   for (const Path& path : paths) {
     const bool done = Knows(path) && (!states_too || path.empty() || Find(path));
-    if (done || wave_of.count(path)) continue;
+    if (done || wave_of.contains(path)) continue;
     // Back to the nearest prefix whose state is there or will be, then forth again.
     std::size_t length = path.size();
     std::size_t wave = 0;
@@ -101,15 +101,15 @@ std::vector<SearchMemory::PathSet> SearchMemory::MissingInWaves(const std::vecto
 
 void SearchMemory::ComputeRoot() {
   const int previous = executed_.empty() ? rules_.num_actions : executed_.back();
-  Store({}, engine_.Evaluate(first_.data(), present_.data(), previous));
+  Store({}, engine_.Evaluate(first_, present_, previous));
 }
 
 void SearchMemory::ComputeRows(const PathSet& paths, std::size_t begin, std::size_t end) {
   std::vector<model::ExpandInput> inputs;
   for (std::size_t i = begin; i < end; ++i) {
     const Path parent(paths[i].begin(), paths[i].end() - 1);
-    const float* state = parent.empty() ? present_.data() : Find(parent)->data();
-    inputs.push_back({first_.data(), state, paths[i].back()});
+    const model::Hidden& state = parent.empty() ? present_ : *Find(parent);  // pinned
+    inputs.push_back({first_, state, paths[i].back()});
   }
   auto predictions = engine_.Expand(inputs);
   for (std::size_t i = begin; i < end; ++i) Store(paths[i], std::move(predictions[i - begin]));

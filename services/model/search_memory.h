@@ -34,7 +34,7 @@ class SearchMemory {
   /// Whether the task's rules allow this path from the root.
   bool Legal(const planner::Path& path) const { return rules_.Legal(executed_, path); }
 
-  bool Knows(const planner::Path& path) const { return evaluations_.count(path) > 0; }
+  bool Knows(const planner::Path& path) const { return evaluations_.contains(path); }
 
   /// Evaluates legal paths, states on the way included where they are missing, in batches of at
   /// most `batch` rows. Needs ready(). Returns the rows computed.

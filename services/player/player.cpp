@@ -21,8 +21,10 @@ Player::Player(Bus& bus, const VideoChoice& choice, double speed, bool loop)
       speed_(speed),
       loop_(loop),
       due_(Clock::now()) {
-  bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); });
-  bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnCommand(command); });
+  subscriptions_.push_back(
+      bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnCommand(command); }));
   health_.SetState(health_t::STATE_READY);
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 #include "services/common/bus.h"
 #include "services/common/clock.h"
@@ -51,6 +52,7 @@ class Player {
   Clock::time_point due_;                  // of the next picture
   Periodic task_due_{1000};
   Periodic repeat_due_{500};
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

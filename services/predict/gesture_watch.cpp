@@ -5,7 +5,7 @@
 namespace prospect::services {
 
 GestureWatch::GestureWatch(Conversation& talk) : talk_(talk) {
-  talk_.bus().Subscribe<label_t>([this](const label_t& label) { OnLabel(label); });
+  subscription_ = talk_.bus().Subscribe<label_t>([this](const label_t& label) { OnLabel(label); });
 }
 
 void GestureWatch::OnLabel(const label_t& label) {

@@ -41,6 +41,7 @@ class GestureWatch {
   std::int64_t last_frame_ = -1;
   bool over_ = false, elsewhere_ = false;
   std::map<int, Segment> segments_;
+  Subscription subscription_;
 };
 
 }  // namespace prospect::services

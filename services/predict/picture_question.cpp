@@ -75,8 +75,7 @@ std::map<planner::Path, Picture> FetchAll(PredictionInbox* inbox, const search_r
     auto come = inbox->Fetch(root, missing);
     some = !come.empty();
     pictures.merge(come);
-    const auto here = [&](const planner::Path& path) { return pictures.count(path) > 0; };
-    missing.erase(std::remove_if(missing.begin(), missing.end(), here), missing.end());
+    std::erase_if(missing, [&](const planner::Path& path) { return pictures.contains(path); });
   }
   return pictures;
 }

@@ -131,7 +131,7 @@ class Prediction {
       now_ = watch_.Find(options_.segment);
       if (!now_ || options_.from_start) now_ = watch_.Latest();
       if (!now_ || now_->number < options_.segment) return false;
-      if (view().frames().count(now_->frame) == 0) return false;
+      if (!view().frames().contains(now_->frame)) return false;
       const bool same = before && view().episode_id() == episode && now_->number == before->number;
       return !(options_.from_start && same);
     };
@@ -199,7 +199,7 @@ class Prediction {
     std::optional<std::int64_t> frame;
     if (next) frame = next->frame;
     if (!next && watch_.over() && watch_.Find(number)) frame = watch_.last_frame();
-    if (!frame || view().frames().count(*frame) == 0) return std::nullopt;
+    if (!frame || !view().frames().contains(*frame)) return std::nullopt;
     return frame;
   }
 

@@ -22,7 +22,7 @@ class Player {
  public:
   explicit Player(const PlayOptions& options)
       : options_(options), log_(options.log), bus_(options.bus) {
-    bus_.SubscribeAll([this](const RawMessage& message) {
+    subscription_ = bus_.SubscribeAll([this](const RawMessage& message) {
       if (message.channel == "LCM_SELF_TEST") return;
       ++heard_;
       channel_ = message.channel;
@@ -73,6 +73,7 @@ class Player {
   PlayResult result_;
   std::int64_t heard_ = 0;
   std::string channel_;  // of the latest message heard
+  Subscription subscription_;
 };
 
 }  // namespace

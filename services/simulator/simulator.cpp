@@ -44,10 +44,12 @@ Simulator::Simulator(Bus& bus, const SimulatorOptions& options)
       std::chrono::duration<double>(TickSeconds(options_, scene_.task())));
   status_.action = -1;
   FollowTask();
-  bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); });
-  bus_.Subscribe<sim_command_t>([this](const sim_command_t& command) { OnSimCommand(command); });
-  bus_.Subscribe<action_command_t>(
-      [this](const action_command_t& command) { OnActionCommand(command); });
+  subscriptions_.push_back(
+      bus_.Subscribe<health_t>([this](const health_t& health) { hold_.Hear(health, SteadyMs()); }));
+  subscriptions_.push_back(bus_.Subscribe<sim_command_t>(
+      [this](const sim_command_t& command) { OnSimCommand(command); }));
+  subscriptions_.push_back(bus_.Subscribe<action_command_t>(
+      [this](const action_command_t& command) { OnActionCommand(command); }));
   health_.SetState(health_t::STATE_READY);
 }
 

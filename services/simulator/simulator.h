@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "services/common/bus.h"
 #include "services/common/clock.h"
@@ -80,6 +81,7 @@ class Simulator {
   Periodic status_due_{500};
   Periodic repeat_due_{500};
   Periodic quick_repeat_due_{40};
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

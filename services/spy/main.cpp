@@ -73,7 +73,8 @@ int Check(const CheckOptions& options) {
   ApplyCommonOptions(options.common, "bus");
   Bus bus(options.common.bus);
   BusSurvey survey;
-  bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
+  const auto subscription =
+      bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
   const double seconds = Listen(bus, options.seconds);
   survey.Print(seconds, std::cout);
   if (!options.json.empty()) base::WriteJsonFile(options.json, survey.ToJson(seconds));

@@ -94,7 +94,8 @@ void RequireSomebody(Bus& bus, const HealthMonitor& monitor, double seconds) {
   const std::int64_t start_ms = SteadyMs();
   const std::int64_t end_ms = start_ms + static_cast<std::int64_t>(1000 * seconds);
   bool told = false;
-  bus.Subscribe<task_t>([](const task_t&) {});  // so that they are counted
+  const auto subscription =
+      bus.Subscribe<task_t>([](const task_t&) {});  // so that they are counted
   while (!HasHeardARobot(bus) && monitor.Alive().empty()) {
     const std::int64_t now_ms = SteadyMs();
     if (StopRequested()) throw ExitError(kExitInterrupted, "interrupted");

@@ -116,7 +116,7 @@ std::string RandomHex() {
 std::string StateFolderOf(const std::string& bus) {
   std::string name = ResolveBusUrl(bus);
   // What stands behind the address of a multicast bus (ttl, buffers) makes no other bus of it.
-  if (name.rfind("udpm://", 0) == 0) name = name.substr(0, name.find('?')).substr(7);
+  if (name.starts_with("udpm://")) name = name.substr(0, name.find('?')).substr(7);
   for (char& letter : name) {
     const auto code = static_cast<unsigned char>(letter);
     if (std::isalnum(code) == 0 && letter != '.') letter = '_';

@@ -21,14 +21,14 @@ namespace {
 
 using nlohmann::json;
 
-bool IsWorker(const ServiceSpec& spec) { return spec.name.rfind("worker-", 0) == 0; }
+bool IsWorker(const ServiceSpec& spec) { return spec.name.starts_with("worker-"); }
 
 // Logs of workers that an earlier, larger deployment had would tell of this one.
 // Whether a file of this name is the log of a worker, "worker-3.log" or "worker-3.1.log": the
 // folder may hold other people's.
 bool IsWorkerLog(const std::string& name) {
   constexpr char kBegin[] = "worker-";
-  if (name.rfind(kBegin, 0) != 0) return false;
+  if (!name.starts_with(kBegin)) return false;
   const std::size_t end = name.find_first_not_of("0123456789", sizeof kBegin - 1);
   if (end == std::string::npos || end == sizeof kBegin - 1) return false;
   return name.substr(end) == ".log" || name.substr(end) == ".1.log";

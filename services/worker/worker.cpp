@@ -31,14 +31,19 @@ Worker::Worker(Bus& bus, const WorkerOptions& options)
     journal_ = std::make_unique<Journal>(options_.journal, health_.instance_id(),
                                          static_cast<int>(options_.index));
   }
-  bus_.Subscribe<task_t>([this](const task_t& task) { OnTask(task); });
-  bus_.Subscribe<model_info_t>([this](const model_info_t& info) { OnInfo(info); });
-  bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); });
-  bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); });
-  bus_.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); });
-  bus_.Subscribe<expand_request_t>([this](const expand_request_t& request) { OnRequest(request); });
-  bus_.Subscribe<search_statistics_t>(
-      [this](const search_statistics_t& rows) { OnStatistics(rows); });
+  subscriptions_.push_back(bus_.Subscribe<task_t>([this](const task_t& task) { OnTask(task); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<model_info_t>([this](const model_info_t& info) { OnInfo(info); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<search_stop_t>([this](const search_stop_t& stop) { OnStop(stop); }));
+  subscriptions_.push_back(
+      bus_.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); }));
+  subscriptions_.push_back(bus_.Subscribe<expand_request_t>(
+      [this](const expand_request_t& request) { OnRequest(request); }));
+  subscriptions_.push_back(bus_.Subscribe<search_statistics_t>(
+      [this](const search_statistics_t& rows) { OnStatistics(rows); }));
   health_.SetState(health_t::STATE_READY);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "services/binding/request_window.h"
 #include "services/binding/server_list.h"
@@ -84,6 +85,7 @@ class Worker {
   std::int64_t root_heard_ms_ = 0;
   std::int64_t closing_since_ms_ = 0;
   std::int64_t rollouts_before_ = 0;  // of earlier searches
+  std::vector<Subscription> subscriptions_;
 };
 
 }  // namespace prospect::services

@@ -69,7 +69,8 @@ class Reach : public testing::TestWithParam<const char*> {
 TEST_P(Reach, ABusOfThisMachineHearsNothingFromOutside) {
   services::Bus bus(Url(7701, 0));
   std::vector<std::int64_t> heard;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  const auto subscription = bus.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
   SendFromOutside(kHere, 7701);
   SendFromOutside(kGroup, 7701);
   // A word of our own waits in the same queue: once it is heard, the others have been, too, or
@@ -93,7 +94,8 @@ class NetworkReach : public Reach {};
 TEST_P(NetworkReach, HearsItsGroupAndNoDatagramToTheMachine) {
   services::Bus bus(Url(7703, 1));
   std::vector<std::int64_t> heard;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  const auto subscription = bus.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
   SendFromOutside(kHere, 7703);
   search_stop_t own{};
   own.search_id = 1;

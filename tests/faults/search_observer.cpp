@@ -12,10 +12,13 @@ namespace prospect::tests {
 using services::SteadyMs;
 
 SearchObserver::SearchObserver(services::Bus& bus) {
-  bus.Subscribe<task_t>([this](const task_t& task) { task_ = task; });
-  bus.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); });
-  bus.Subscribe<search_statistics_t>([this](const search_statistics_t& s) { OnStatistics(s); });
-  bus.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); });
+  subscriptions_.push_back(bus.Subscribe<task_t>([this](const task_t& task) { task_ = task; }));
+  subscriptions_.push_back(
+      bus.Subscribe<search_root_t>([this](const search_root_t& root) { OnRoot(root); }));
+  subscriptions_.push_back(bus.Subscribe<search_statistics_t>(
+      [this](const search_statistics_t& s) { OnStatistics(s); }));
+  subscriptions_.push_back(
+      bus.Subscribe<expand_reply_t>([this](const expand_reply_t& reply) { OnReply(reply); }));
 }
 
 void SearchObserver::OnRoot(const search_root_t& root) {

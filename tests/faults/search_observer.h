@@ -62,6 +62,7 @@ class SearchObserver {
   std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> relayed_;
   std::set<planner::Path> evaluated_;
   std::map<std::int64_t, std::int64_t> first_reply_ms_;
+  std::vector<services::Subscription> subscriptions_;
 };
 
 }  // namespace prospect::tests

@@ -47,7 +47,7 @@ Peer::Peer(std::uint64_t writer, const std::string& chaos, Truth* truth)
 
 void Peer::SetChaos(const std::string& chaos) {
   bus_ = std::make_unique<services::Bus>("", chaos);
-  bus_->Subscribe<search_statistics_t>([this](const search_statistics_t& message) {
+  subscription_ = bus_->Subscribe<search_statistics_t>([this](const search_statistics_t& message) {
     statistics_.Merge(services::FromMessage(message), NowUs());
   });
 }

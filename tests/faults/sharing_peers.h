@@ -56,6 +56,7 @@ class Peer {
   planner::SharedStatistics statistics_;
   std::vector<Branch> in_flight_;
   std::unique_ptr<services::Bus> bus_;
+  services::Subscription subscription_;
 };
 
 /// Four peers on one bus, and what must always hold among them.

@@ -138,7 +138,7 @@ TEST_F(Authentic, AWholeEpisodeGoesOnBesideAForger) {
   Witness witness;
   Deployment deployment("authentic_episode");
   ASSERT_TRUE(deployment.Up(witness, 1));
-  witness.bus.Subscribe<expand_request_t>(
+  const auto subscription = witness.bus.Subscribe<expand_request_t>(
       [this](const expand_request_t& request) { ForgeReplies(request); });
   auto& executive = deployment.Executive();
   int code = -1;
@@ -159,7 +159,7 @@ TEST_F(Authentic, RecordedCommandsMoveNothingAgain) {
   ASSERT_TRUE(witness.Until(
       [&] { return witness.Ready("simulator", 1) && witness.episode_id >= 0; }, 10000));
   std::vector<services::RawMessage> recorded;
-  stranger_.SubscribeAll([&](const services::RawMessage& message) {
+  const auto subscription = stranger_.SubscribeAll([&](const services::RawMessage& message) {
     if (message.channel == "SIM_COMMAND") recorded.push_back(message);
   });
   sim_command_t reset{};
@@ -226,8 +226,10 @@ TEST(Playing, HappensOnABusOfItsOwnWithoutCommands) {
   const auto play = [&](const std::vector<std::string>& more) {
     services::Bus there("udpm://239.255.76.67:7668?ttl=0");
     int commands = 0, stops = 0;
-    there.Subscribe<action_command_t>([&](const action_command_t&) { ++commands; });
-    there.Subscribe<search_stop_t>([&](const search_stop_t&) { ++stops; });
+    const auto subscription =
+        there.Subscribe<action_command_t>([&](const action_command_t&) { ++commands; });
+    const auto second_subscription =
+        there.Subscribe<search_stop_t>([&](const search_stop_t&) { ++stops; });
     std::vector<std::string> words{"play", log};
     words.insert(words.end(), more.begin(), more.end());
     Process player("prospect-replay", words, deployment.folder + "/play.log");

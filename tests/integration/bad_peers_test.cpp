@@ -247,16 +247,17 @@ TEST(BadPeers, AnUnreadableWordOnThePictureIsARefusal) {
   deployment.Simulator();
   deployment.ModelServer({"--chaos", "drop=1,channel=PREDICT_REQUEST"});
   deployment.Worker();
-  witness.bus.Subscribe<predict_request_t>([&](const predict_request_t& request) {
-    predict_reply_t reply{};
-    reply.client_id = request.client_id;
-    reply.request_id = request.request_id;
-    reply.search_id = request.search_id;
-    reply.path = request.path;
-    reply.status = expand_reply_t::STATUS_OK;
-    reply.reason = "p=certainly";
-    witness.bus.Publish(reply);
-  });
+  const auto subscription =
+      witness.bus.Subscribe<predict_request_t>([&](const predict_request_t& request) {
+        predict_reply_t reply{};
+        reply.client_id = request.client_id;
+        reply.request_id = request.request_id;
+        reply.search_id = request.search_id;
+        reply.path = request.path;
+        reply.status = expand_reply_t::STATUS_OK;
+        reply.reason = "p=certainly";
+        witness.bus.Publish(reply);
+      });
   EXPECT_EQ(EndOf(deployment.Executive(), witness), 3);
   ExpectRefused(deployment, witness, "a server's answer cannot be read: p=certainly");
 }

@@ -147,7 +147,8 @@ TEST(Episode, RefusalSendsNoAction) {
 TEST(Episode, AnOldPictureOfTheSameSceneIsNotTaken) {
   Witness witness;
   observation_t picture{};
-  witness.bus.Subscribe<observation_t>([&](const observation_t& seen) { picture = seen; });
+  const auto subscription =
+      witness.bus.Subscribe<observation_t>([&](const observation_t& seen) { picture = seen; });
   Deployment deployment("old_picture");
   deployment.Simulator();
   auto& first = deployment.Executive({"--policy", "plan:0,1,2"});

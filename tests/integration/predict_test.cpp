@@ -107,8 +107,10 @@ TEST_F(Predicting, TheVideoIsPlayedWithItsGestures) {
   Witness witness;
   std::vector<observation_t> seen;
   std::vector<task_t> tasks;
-  witness.bus.Subscribe<observation_t>([&](const observation_t& o) { seen.push_back(o); });
-  witness.bus.Subscribe<task_t>([&](const task_t& task) { tasks.push_back(task); });
+  const auto subscription =
+      witness.bus.Subscribe<observation_t>([&](const observation_t& o) { seen.push_back(o); });
+  const auto second_subscription =
+      witness.bus.Subscribe<task_t>([&](const task_t& task) { tasks.push_back(task); });
   const Process player = Player({"--speed", "4"});
   // Every third frame of 120, and the beginnings 40 and 76 are among them: 7, 40, 76 = 1 mod 3.
   ASSERT_TRUE(witness.Until([&] { return !seen.empty() && seen.back().frame == 39; }, 20000));

@@ -20,7 +20,7 @@ bool Holds(const std::string& text, const std::string& part) {
 class Promises : public ::testing::Test {
  protected:
   Promises() {
-    witness_.bus.Subscribe<model_info_t>(
+    subscription_ = witness_.bus.Subscribe<model_info_t>(
         [this](const model_info_t& info) { calibration_.weights_hash = info.weights_hash; });
   }
 
@@ -64,6 +64,7 @@ class Promises : public ::testing::Test {
 
   Witness witness_;
   calibration_t calibration_{};
+  services::Subscription subscription_;
 };
 
 TEST_F(Promises, AreKeptByTheCalibrationOfTheWeights) {

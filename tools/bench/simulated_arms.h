@@ -16,9 +16,9 @@ struct Arm {
   BusOptions options;
 };
 
-// "workers=8,sharing=merge-at-end,drop=0.3" on top of `defaults`. Keys: workers, leaves, samples,
-// sharing, rule, skip (futures wholly known, 0 or 1), fixed (ms a batch), row (ms), drop, repeat,
-// delay (ms), jitter (ms), tick (ms), c, c_puct. Throws std::invalid_argument naming what is wrong.
+// "workers=8,sharing=0,drop=0.3" on top of `defaults`. Keys: workers, leaves, samples, sharing (0:
+// each worker in a tree of its own), rule, fixed (ms a batch), row (ms), drop, repeat, delay (ms),
+// jitter (ms), tick (ms), c, c_puct. Throws std::invalid_argument naming what is wrong.
 Arm ParseArm(const std::string& text, const BusOptions& defaults);
 
 // One row for each arm: name, workers, rollouts_per_s, evaluations_per_s, mean_batch, optimal_rate

@@ -28,9 +28,10 @@ using Clock = CpuClock;
 constexpr std::int64_t kLongestUs = 600'000'000;
 constexpr std::int64_t kFreshUs = 100'000;
 constexpr int kTopLevels = 3;
-constexpr double kMessageBytes = 60;  // of a request or reply without paths
-constexpr double kPathBytes = 16;     // of a path in a request
-constexpr double kAnswerBytes = 60;   // of a path's evaluation in a reply
+constexpr std::size_t kPlenty = 1 << 24;  // bytes, for all rows in one batch
+constexpr double kMessageBytes = 60;      // of a request or reply without paths
+constexpr double kPathBytes = 16;         // of a path in a request
+constexpr double kAnswerBytes = 60;       // of a path's evaluation in a reply
 
 struct Answer {
   Path path;
@@ -58,7 +59,7 @@ class SimulatedBus {
   void SendStatistics(int worker);
   void Receive(int worker, const std::shared_ptr<const StatisticsBatch>& batch,
                const std::shared_ptr<const std::vector<std::uint8_t>>& bytes);
-  bool Apart() const { return options_.parameters.sharing != planner::Sharing::kFull; }
+  bool Apart() const { return !options_.parameters.sharing; }
   bool Finished() const;
   // Server.
   void Arrive(int worker, const std::vector<Path>& paths);
@@ -286,7 +287,7 @@ void SimulatedBus::Reply(Answers answers) {
   for (int i = 0; i < options_.workers; ++i) {
     Handle(i, Later(), [this, i, answers](Search* search) {
       for (const Answer& answer : *answers) {
-        if (Apart() && answer.askers.count(i) == 0) continue;
+        if (Apart() && !answer.askers.contains(i)) continue;
         search->Deliver(answer.path, answer.evaluation, 0);
       }
       return options_.message_us + options_.heard_us * static_cast<double>(answers->size());
@@ -325,7 +326,7 @@ void SimulatedBus::LookHowFresh() {
 // What ends a search: at most two rounds of everybody's rows, over a bus that loses nothing.
 // Batches that everybody knows already change nothing, so it is over when all tables are equal.
 void SimulatedBus::Close() {
-  if (options_.parameters.sharing == planner::Sharing::kNone || options_.workers > 16) return;
+  if (Apart() || options_.workers > 16) return;
   std::vector<std::int64_t> rounds;
   for (const Worker& sender : workers_) {
     rounds.push_back(sender.search->statistics().round_robin_rounds());
@@ -357,8 +358,14 @@ bool SimulatedBus::AllExact() const {
   });
 }
 
+// As the executive does, who only watches; any worker that shares knows as much.
 void SimulatedBus::ReadOff() {
-  Search& search = *workers_.front().search;
+  planner::SearchIdentity watcher;
+  watcher.writer = workers_.size() + 1;
+  Search search(ScriptedTree::Rules(), options_.parameters, {}, watcher);
+  for (Worker& worker : workers_) {
+    search.Merge(worker.search->MakeBatch(kPlenty, events_.now_us()), events_.now_us());
+  }
   for (const Path& path : search.MissingEvaluations(1 << 30)) {
     search.Deliver(path, tree_.Evaluate(path), 0);
   }

@@ -11,13 +11,11 @@ planner::Evaluation ToEvaluation(const model::Prediction& prediction) {
 
 }  // namespace
 
-void EngineModel::SetFirst(const std::vector<std::uint8_t>& image) {
-  h0_ = engine_->Encode(image.data());
-}
+void EngineModel::SetFirst(const std::vector<std::uint8_t>& image) { h0_ = engine_->Encode(image); }
 
 void EngineModel::SetRoot(const std::vector<std::uint8_t>& image, int previous_action) {
   picture_ = image;
-  root_ = engine_->Encode(image.data());
+  root_ = engine_->Encode(image);
   previous_action_ = previous_action;
   known_.clear();
   evaluations_ = 0;
@@ -28,23 +26,23 @@ const model::Prediction& EngineModel::Predict(const planner::Path& path) {
   if (found != known_.end()) return found->second;
   ++evaluations_;
   if (path.empty()) {
-    model::Prediction root = engine_->Evaluate(h0_.data(), root_.data(), previous_action_);
+    model::Prediction root = engine_->Evaluate(h0_, root_, previous_action_);
     root.h = root_;
     return known_[path] = std::move(root);
   }
   const model::Prediction& parent = Predict(planner::Path(path.begin(), path.end() - 1));
   std::vector<model::Prediction> made =
-      engine_->Expand({model::ExpandInput{h0_.data(), parent.h.data(), path.back()}});
+      engine_->Expand({model::ExpandInput{h0_, parent.h, path.back()}});
   return known_[path] = std::move(made.front());
 }
 
 std::vector<std::uint8_t> EngineModel::Imagine(const Glance& from, const planner::Path& actions) {
   model::Hidden state = from.state;
   for (const std::uint8_t action : actions) {
-    const model::ExpandInput row{h0_.data(), state.data(), action};
+    const model::ExpandInput row{h0_, state, action};
     state = engine_->Expand({row}).front().h;
   }
-  return engine_->DecodeOnto(from.picture.data(), from.state, {state}).front();
+  return engine_->DecodeOnto(from.picture, from.state, {state}).front();
 }
 
 planner::Evaluation EngineModel::Evaluate(const planner::Path& path) {

@@ -12,7 +12,7 @@ class NoveltyGate : public Decider {
       : inner_(std::move(inner)), engine_(engine), gauge_(std::move(gauge)), level_(level) {}
 
   void Begin(std::uint64_t scene_seed, const std::vector<std::uint8_t>& first) override {
-    novelty_ = gauge_.Judge(model::TakeNoveltySample(*engine_, first.data()));
+    novelty_ = gauge_.Judge(model::TakeNoveltySample(*engine_, first));
     inner_->Begin(scene_seed, first);
   }
 

@@ -90,7 +90,7 @@ class Pictures {
   void Note(const Path& path) {
     const std::vector<std::uint8_t> truth = task_.Observe().rgb;
     const auto imagined =
-        engine_.DecodeOnto(seen_.data(), model_.Predict({}).h, {model_.Predict(path).h}).at(0);
+        engine_.DecodeOnto(seen_, model_.Predict({}).h, {model_.Predict(path).h}).at(0);
     found_.push_back(
         {{"depth", path.size()}, {"error", Error(imagined, truth)}, {"copy", Error(seen_, truth)}});
   }

@@ -104,7 +104,7 @@ json ShiftSweep::RunPoint(std::uint64_t scene_seed, std::size_t point) {
   const auto picture = FirstPicture(*looking_[point], scene_seed, noise);
   json record = {{"ending", "refused"}, {"unlike", false}, {"p", nullptr}};
   if (gauge_) {
-    const auto novelty = gauge_->Judge(model::TakeNoveltySample(*engine_, picture.data()));
+    const auto novelty = gauge_->Judge(model::TakeNoveltySample(*engine_, picture));
     record["p"] = novelty.p;
     if (novelty.p < options_.novelty_level) {
       record["unlike"] = true;

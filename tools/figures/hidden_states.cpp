@@ -20,8 +20,8 @@ Column MakeColumn(const SeenTrial& trial, int slot, const std::string& above,
                   const LoadedModel& loaded) {
   const sim::Image& first = trial.seen[static_cast<std::size_t>(trial.trial().first)];
   const sim::Image& seen = trial.seen[static_cast<std::size_t>(slot)];
-  const model::Hidden h0 = loaded.engine->Encode(first.rgb.data());
-  const model::Hidden state = loaded.engine->Encode(seen.rgb.data());
+  const model::Hidden h0 = loaded.engine->Encode(first.rgb);
+  const model::Hidden state = loaded.engine->Encode(seen.rgb);
   return {above, seen, loaded.paint(first, h0, {state}).front(),
           MeanOverChannels(loaded.engine->info(), state)};
 }

@@ -13,7 +13,7 @@ std::vector<model::Hidden> StatesAlong(model::Engine* engine, const model::Hidde
                                        model::Hidden h, const planner::Path& path) {
   std::vector<model::Hidden> states;
   for (const int action : path) {
-    h = engine->Expand({{h0.data(), h.data(), action}}).front().h;
+    h = engine->Expand({{h0, h, action}}).front().h;
     states.push_back(h);
   }
   return states;
@@ -22,8 +22,8 @@ std::vector<model::Hidden> StatesAlong(model::Engine* engine, const model::Hidde
 std::vector<sim::Image> PicturesAlong(const LoadedModel& loaded, const sim::Image& first,
                                       const sim::Image& seen, const planner::Path& path) {
   model::Engine* engine = loaded.engine.get();
-  const model::Hidden h0 = engine->Encode(first.rgb.data());
-  const model::Hidden start = engine->Encode(seen.rgb.data());
+  const model::Hidden h0 = engine->Encode(first.rgb);
+  const model::Hidden start = engine->Encode(seen.rgb);
   return loaded.paint(first, h0, StatesAlong(engine, h0, start, path));
 }
 

@@ -12,17 +12,16 @@ class TrialJudge {
   TrialJudge(const SeenTrial& trial, model::Engine* engine, const DoneHead& done_head,
              HeadRecord* record)
       : trial_(trial), engine_(engine), done_head_(done_head), record_(record) {
-    for (const sim::Image& picture : trial.seen)
-      states_.push_back(engine->Encode(picture.rgb.data()));
+    for (const sim::Image& picture : trial.seen) states_.push_back(engine->Encode(picture.rgb));
   }
 
   void JudgeSeen() {
     const int none = trial_.samples.num_actions;
-    Add(engine_->Evaluate(h0().data(), h0().data(), none), none, 0, 0);
+    Add(engine_->Evaluate(h0(), h0(), none), none, 0, 0);
     for (std::size_t k = 0; k < segments().size(); ++k) {
       const model::SegmentSample& segment = segments()[k];
       const model::Hidden& goal = State(segment.goal);
-      Add(engine_->Evaluate(h0().data(), goal.data(), segment.action), segment.action, k + 1, 0);
+      Add(engine_->Evaluate(h0(), goal, segment.action), segment.action, k + 1, 0);
       record_->f[0].push_back({done_head_(h0(), goal, segment.action), segment.succeeded});
     }
   }
@@ -34,7 +33,7 @@ class TrialJudge {
     for (std::size_t step = 0; step < 2 && step < segments().size(); ++step) {
       std::vector<model::ExpandInput> rows;
       for (std::size_t k = 0; k + step < segments().size(); ++k) {
-        rows.push_back({h0().data(), from[k].data(), segments()[k + step].action});
+        rows.push_back({h0(), from[k], segments()[k + step].action});
       }
       const std::vector<model::Prediction> answers = engine_->Expand(rows);
       for (std::size_t k = 0; k < answers.size(); ++k) {

@@ -145,7 +145,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
   const int y = DrawHeading(&sheet, "What the encoder keeps: " + own.engine->info().task);
   int x = kMargin;
   for (const sim::Image& picture : pictures) {
-    const model::Hidden h = own.engine->Encode(picture.rgb.data());
+    const model::Hidden h = own.engine->Encode(picture.rgb);
     const sim::Image again = own.paint(picture, h, {h}).front();
     sheet.Picture(x, y, picture, factor);
     sheet.Picture(x, y + height + 4, again, factor);

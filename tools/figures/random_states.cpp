@@ -32,7 +32,7 @@ Column MakeColumn(const TaskTable& table, const LoadedModel& loaded, const sim::
     walk.push_back(static_cast<std::uint8_t>(action));
   }
   const model::Hidden end = StatesAlong(loaded.engine.get(), start, start, walk).back();
-  const auto pictures = loaded.paint(scene, loaded.engine->Encode(scene.rgb.data()), {start, end});
+  const auto pictures = loaded.paint(scene, loaded.engine->Encode(scene.rgb), {start, end});
   return {pictures[0], pictures[1], MeanOverChannels(info, start), MeanOverChannels(info, end)};
 }
 

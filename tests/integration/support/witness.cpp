@@ -9,7 +9,8 @@ namespace prospect::tests {
 
 template <class T>
 void Witness::Keep(std::vector<T>* list) {
-  bus.Subscribe<T>([list](const T& message) { list->push_back(message); });
+  subscriptions_.push_back(
+      bus.Subscribe<T>([list](const T& message) { list->push_back(message); }));
 }
 
 Witness::Witness() {
@@ -19,16 +20,17 @@ Witness::Witness() {
   Keep(&roots);
   Keep(&stops);
   Keep(&replies);
-  bus.Subscribe<label_t>([this](const label_t& label) {
+  subscriptions_.push_back(bus.Subscribe<label_t>([this](const label_t& label) {
     if (label.episode_id != episode_id) labels.clear();
     episode_id = label.episode_id;
     labels[label.frame] = label;
-  });
-  bus.Subscribe<health_t>(
-      [this](const health_t& message) { health[message.instance_id] = message; });
-  bus.Subscribe<search_statistics_t>([this](const search_statistics_t& rows) {
-    if (rows.is_final) finals[rows.writer] = rows.digest;
-  });
+  }));
+  subscriptions_.push_back(bus.Subscribe<health_t>(
+      [this](const health_t& message) { health[message.instance_id] = message; }));
+  subscriptions_.push_back(
+      bus.Subscribe<search_statistics_t>([this](const search_statistics_t& rows) {
+        if (rows.is_final) finals[rows.writer] = rows.digest;
+      }));
 }
 
 bool Witness::Until(const std::function<bool()>& condition, int timeout_ms,

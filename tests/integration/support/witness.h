@@ -41,6 +41,8 @@ class Witness {
  private:
   template <class T>
   void Keep(std::vector<T>* list);
+
+  std::vector<services::Subscription> subscriptions_;
 };
 
 /// A new folder for one test's files, below the build's folder.

@@ -72,11 +72,12 @@ TEST(BundledGestures, TheSecondPictureFollowsTheSecondGesture) {
   const auto engine = LoadTorchEngine(kWeights, 1);
   const TrialFile file(kTrials);
   const Trial trial = file.Read(0);
-  const Hidden h0 = engine->Encode(trial.frame(0));
-  const Hidden h1 = engine->Expand({{h0.data(), h0.data(), 0}}).front().h;
+  const Pixels seen(trial.frame(0), trial.frame_bytes());
+  const Hidden h0 = engine->Encode(seen);
+  const Hidden h1 = engine->Expand({{h0, h0, 0}}).front().h;
   const auto after = [&](int second) {
-    const Hidden h2 = engine->Expand({{h0.data(), h1.data(), second}}).front().h;
-    return engine->DecodeOnto(trial.frame(0), h0, {h2}).front();
+    const Hidden h2 = engine->Expand({{h0, h1, second}}).front().h;
+    return engine->DecodeOnto(seen, h0, {h2}).front();
   };
   const int position = 1, pull = 5, orient = 7;  // G2, G6, G8
   EXPECT_EQ(after(position), after(position));

@@ -374,9 +374,9 @@ TEST_F(EngineTest, SaysWhatItIs) {
 
 TEST_F(EngineTest, ARowDoesNotDependOnItsBatchMatesOrThreads) {
   std::vector<Hidden> states;
-  for (int i = 0; i < 9; ++i) states.push_back(engine_->Encode(Picture(i).data()));
+  for (int i = 0; i < 9; ++i) states.push_back(engine_->Encode(Picture(i)));
   std::vector<ExpandInput> rows;
-  for (int i = 0; i < 9; ++i) rows.push_back({states[0].data(), states[i].data(), i % 3});
+  for (int i = 0; i < 9; ++i) rows.push_back({states[0], states[i], i % 3});
   const std::vector<Prediction> together = engine_->Expand(rows);
   const auto alone = LoadTorchEngine(path_, 1);
   ASSERT_EQ(together.size(), rows.size());
@@ -398,10 +398,10 @@ TEST_F(EngineTest, AnswersAreThoseOfTheNetworks) {
       torch::tensor(std::vector<float>(picture.begin(), picture.end())).view({1, 32, 32, 3}) /
       255.0;
   const torch::Tensor h = networks_.encoder->forward(x.permute({0, 3, 1, 2}).contiguous());
-  const Hidden mine = engine_->Encode(picture.data());
+  const Hidden mine = engine_->Encode(picture);
   EXPECT_LT((torch::tensor(mine) - h.flatten()).abs().max().item<float>(), 1e-5F);
   const torch::Tensor next = networks_.transform->forward(h, h, torch::tensor({2}));
-  const Prediction answer = engine_->Expand({{mine.data(), mine.data(), 2}})[0];
+  const Prediction answer = engine_->Expand({{mine, mine, 2}})[0];
   EXPECT_LT((torch::tensor(answer.h) - next.flatten()).abs().max().item<float>(), 1e-5F);
   EXPECT_NEAR(answer.value, torch::sigmoid(networks_.value->forward(next)).item<float>(), 1e-5F);
   EXPECT_NEAR(answer.done,
@@ -410,15 +410,15 @@ TEST_F(EngineTest, AnswersAreThoseOfTheNetworks) {
 }
 
 TEST_F(EngineTest, RootsAreDoneAndPicturesComeOut) {
-  const Hidden h = engine_->Encode(Picture(1).data());
-  const Prediction root = engine_->Evaluate(h.data(), h.data(), 3);
+  const Hidden h = engine_->Encode(Picture(1));
+  const Prediction root = engine_->Evaluate(h, h, 3);
   EXPECT_EQ(root.done, 1.0F);
   EXPECT_TRUE(root.h.empty());
   EXPECT_EQ(root.p.size(), 3U);
   EXPECT_EQ(engine_->Decode({h, h}).at(1).size(), 32U * 32U * 3U);
-  EXPECT_EQ(engine_->Classify(Picture(1).data()).size(), 3U);
-  EXPECT_THROW(engine_->Expand({{h.data(), h.data(), 3}}), std::invalid_argument);
-  EXPECT_THROW(engine_->Evaluate(h.data(), h.data(), 4), std::invalid_argument);
+  EXPECT_EQ(engine_->Classify(Picture(1)).size(), 3U);
+  EXPECT_THROW(engine_->Expand({{h, h, 3}}), std::invalid_argument);
+  EXPECT_THROW(engine_->Evaluate(h, h, 4), std::invalid_argument);
   EXPECT_THROW(engine_->Decode({Hidden(3)}), std::invalid_argument);
 }
 

@@ -112,7 +112,7 @@ TEST(CompareRedrawn, LightAloneIsNoDifference) {
   std::vector<std::uint8_t> redrawn(64 * 64 * 3), picture;
   for (auto& value : redrawn) value = static_cast<std::uint8_t>(2 * (random() % 100));
   for (const auto value : redrawn) picture.push_back(static_cast<std::uint8_t>(value / 2));
-  const NoveltySample dark = CompareRedrawn(picture.data(), redrawn, 64, 64, {1, 2});
+  const NoveltySample dark = CompareRedrawn(picture, redrawn, 64, 64, {1, 2});
   EXPECT_NEAR(dark.error, 0, 1e-6);
   EXPECT_EQ(dark.residual.size(), 192u);
   EXPECT_EQ(dark.state, Hidden({1, 2}));
@@ -124,11 +124,11 @@ TEST(CompareRedrawn, APatchIsFoundWhereItIs) {
   for (int y = 16; y < 24; ++y) {
     for (int x = 40; x < 48; ++x) picture[static_cast<std::size_t>(y * 64 + x) * 3 + 1] = 200;
   }
-  const NoveltySample sample = CompareRedrawn(picture.data(), redrawn, 64, 64, {});
+  const NoveltySample sample = CompareRedrawn(picture, redrawn, 64, 64, {});
   const auto most = std::max_element(sample.residual.begin(), sample.residual.end());
   EXPECT_EQ(most - sample.residual.begin(), (2 * 8 + 5) * 3 + 1);
   EXPECT_NEAR(*most, 100.0 / 255, 0.01);
-  EXPECT_THROW(CompareRedrawn(picture.data(), redrawn, 60, 64, {}), std::invalid_argument);
+  EXPECT_THROW(CompareRedrawn(picture, redrawn, 60, 64, {}), std::invalid_argument);
 }
 
 TEST(InWords, NamesWhatStandsOutAndItsLimit) {

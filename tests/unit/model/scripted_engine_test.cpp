@@ -5,6 +5,7 @@
 #include <atomic>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "model/row_pool.h"
@@ -13,11 +14,13 @@ namespace prospect::model {
 namespace {
 
 Prediction Walk(ScriptedEngine* engine, const std::vector<int>& path) {
-  const std::vector<std::uint8_t> picture(64 * 64 * 3);
-  const Hidden root = engine->Encode(picture.data());
-  Prediction at = engine->Evaluate(root.data(), root.data(), engine->info().num_actions);
+  const auto& info = engine->info();
+  const std::vector<std::uint8_t> picture(
+      static_cast<std::size_t>(info.image_width * info.image_height * 3));
+  const Hidden root = engine->Encode(picture);
+  Prediction at = engine->Evaluate(root, root, engine->info().num_actions);
   at.h = root;
-  for (const int action : path) at = engine->Expand({{root.data(), at.h.data(), action}})[0];
+  for (const int action : path) at = engine->Expand({{root, at.h, action}})[0];
   return at;
 }
 
@@ -64,6 +67,52 @@ TEST(ScriptedEngine, OptionsChooseTheTree) {
   EXPECT_EQ(never.Decode({Walk(&never, {1}).h})[0].size(), 8U * 8U * 3U);
   EXPECT_NE(never.weights_hash(), ScriptedEngine().weights_hash());
   EXPECT_THROW(Walk(&never, {3}), std::invalid_argument);
+}
+
+/// What `question` is refused with.
+template <class Question>
+std::string Refusal(const Question& question) {
+  try {
+    question();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Checked by the interface itself, so for every engine.
+TEST(Engine, RefusesWrongSizesAndActionsAndSaysWhatIsExpected) {
+  ScriptedEngine engine({"made", 3, 3, 0.0, 9, 8, 8, 0.5});
+  const std::vector<std::uint8_t> picture(8 * 8 * 3), larger(8 * 9 * 3);
+  const Hidden state(4), shorter(3);
+  const std::string bytes = ": a picture of 216 bytes, where 192 are expected";
+  const std::string numbers = ": a state of 3 numbers, where 4 are expected";
+  EXPECT_EQ(Refusal([&] { engine.Encode(larger); }), "Encode" + bytes);
+  EXPECT_EQ(Refusal([&] { engine.Encode({}); }),
+            "Encode: a picture of 0 bytes, where 192 are expected");
+  EXPECT_EQ(Refusal([&] { engine.Classify(larger); }), "Classify" + bytes);
+  EXPECT_EQ(Refusal([&] { engine.Evaluate(shorter, state, 0); }), "Evaluate" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.Evaluate(state, shorter, 0); }), "Evaluate" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.Evaluate(state, state, 4); }),
+            "Evaluate: action 4, where 0 to 3 are expected");
+  EXPECT_EQ(Refusal([&] {
+              engine.Expand({{state, state, 0}, {shorter, state, 0}});
+            }),
+            "Expand" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.Expand({{state, shorter, 0}}); }), "Expand" + numbers);
+  EXPECT_EQ(Refusal([&] {
+              engine.Expand({{state, state, 3}});
+            }),
+            "Expand: action 3, where 0 to 2 are expected");
+  EXPECT_EQ(Refusal([&] {
+              engine.Expand({{state, state, -1}});
+            }),
+            "Expand: action -1, where 0 to 2 are expected");
+  EXPECT_EQ(Refusal([&] { engine.Decode({state, shorter}); }), "Decode" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.DecodeOnto(larger, state, {state}); }), "DecodeOnto" + bytes);
+  EXPECT_EQ(Refusal([&] { engine.DecodeOnto(picture, shorter, {state}); }), "DecodeOnto" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.DecodeOnto(picture, state, {shorter}); }), "DecodeOnto" + numbers);
+  EXPECT_EQ(Refusal([&] { engine.DecodeOnto(picture, state, {state}); }), "");
 }
 
 TEST(RowPool, DoesEveryRowOnce) {

@@ -195,8 +195,8 @@ TEST_F(TrainingTest, WithoutFailuresTheWeightsPredictPicturesOnly) {
   const auto engine = LoadTorchEngine(path, 1);
   EXPECT_FALSE(engine->info().judges);
   const std::vector<std::uint8_t> picture(32 * 32 * 3, 90);
-  const Hidden h = engine->Encode(picture.data());
-  const Prediction answer = engine->Expand({{h.data(), h.data(), 1}}).front();
+  const Hidden h = engine->Encode(picture);
+  const Prediction answer = engine->Expand({{h, h, 1}}).front();
   EXPECT_EQ(answer.h.size(), h.size());
   EXPECT_EQ(answer.q, std::vector<float>(3, 0.0F));
   EXPECT_EQ(engine->Decode({answer.h}).front().size(), picture.size());
@@ -246,8 +246,8 @@ TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
   Trainer extended(config, options);
   extended.Run();
   const auto engine = LoadTorchEngine(ExportWeights(extended, nlohmann::json::object()), 1);
-  const Hidden h = engine->Encode(std::vector<std::uint8_t>(32 * 32 * 3, 90).data());
-  EXPECT_EQ(engine->Expand({{h.data(), h.data(), 1}}).front().h.size(), h.size());
+  const Hidden h = engine->Encode(std::vector<std::uint8_t>(32 * 32 * 3, 90));
+  EXPECT_EQ(engine->Expand({{h, h, 1}}).front().h.size(), h.size());
 }
 
 TEST_F(TrainingTest, WeightsGoneOnFromKeepTheirClassifiersAndTellTheirHistory) {
@@ -340,11 +340,11 @@ TEST_F(TrainingTest, TheSecondStepIsOfTheSecondAction) {
       ExportWeights(trainer, ComputeScores(trainer.context(), trainer.file(), 1));
   const auto engine = LoadTorchEngine(path, 1);
   const std::vector<std::uint8_t> seen(32 * 32 * 3, 90);
-  const Hidden h0 = engine->Encode(seen.data());
-  const Hidden h1 = engine->Expand({{h0.data(), h0.data(), a1}}).front().h;
+  const Hidden h0 = engine->Encode(seen);
+  const Hidden h1 = engine->Expand({{h0, h0, a1}}).front().h;
   std::set<std::vector<std::uint8_t>> futures;
   for (int next = 0; next < 3; ++next) {
-    const Hidden h2 = engine->Expand({{h0.data(), h1.data(), next}}).front().h;
+    const Hidden h2 = engine->Expand({{h0, h1, next}}).front().h;
     futures.insert(engine->Decode({h2}).front());
   }
   EXPECT_EQ(futures.size(), 3U) << "one picture for each second action";

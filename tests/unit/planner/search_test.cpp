@@ -48,7 +48,7 @@ std::uint64_t TreeOf(std::uint64_t seed, int worker, const std::string& rule) {
 }
 
 TEST(Search, OneWorkerWithOneSeedGivesOneTree) {
-  for (const char* rule : {"paper", "paper-literal", "puct", "puct-virtual-loss", "random"}) {
+  for (const std::string& rule : SelectionRuleNames()) {
     EXPECT_EQ(TreeOf(1, 0, rule), TreeOf(1, 0, rule)) << rule;
   }
   EXPECT_NE(TreeOf(1, 0, "random"), TreeOf(2, 0, "random"));
@@ -226,7 +226,7 @@ TEST(Search, DeliverRefusesWhatTheTaskExcludes) {
 TEST(Search, ExecutedActionsAreMasked) {
   ScriptedModel model = Kind(4);
   SearchParameters parameters = Samples(500);
-  parameters.skip_exhausted = true;
+  parameters.c = 1000;  // to every corner
   Search search(AnyOrder(5, 3), parameters, {2}, Worker(0));
   RunSearch(&search, &model);
   EXPECT_EQ(search.stop_reason(0), StopReason::kExhausted);
@@ -246,16 +246,6 @@ TEST(Search, NothingLeftToDoIsACompleteEmptyPlan) {
   EXPECT_EQ(search.evaluations(), 1);
   EXPECT_TRUE(search.BestPlan().ok());
   EXPECT_TRUE(search.BestPlan().best.path.empty());
-}
-
-TEST(Search, SkippingExhaustedFuturesSpendsNoRolloutTwice) {
-  SearchParameters parameters = Samples(1000);
-  parameters.skip_exhausted = true;
-  ScriptedModel model = Kind(5);
-  Search search(AnyOrder(5, 3), parameters, {}, Worker(0));
-  RunSearch(&search, &model);
-  EXPECT_EQ(search.rollouts(), 60);  // as many as there are complete plans
-  EXPECT_EQ(search.evaluations(), 1 + 5 + 20 + 60);
 }
 
 TEST(Search, MissingEvaluationsNamesVisitedPathsOnly) {

@@ -155,7 +155,7 @@ TEST(Sharing, ExactWithoutLoss) {
 }
 
 TEST(Sharing, ExactAfterTheClosingRoundWhateverTheBusDid) {
-  for (const char* rule : {"paper", "puct", "puct-virtual-loss", "random"}) {
+  for (const std::string& rule : SelectionRuleNames()) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       BusOptions options;
       options.workers = 2 + static_cast<int>(seed % 3);

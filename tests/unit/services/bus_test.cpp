@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <memory>
 #include <thread>
 
 #include "tests/unit/services/poll_until.h"
@@ -25,7 +26,7 @@ TEST(Bus, CarriesMessagesToAnotherBus) {
   Bus sender;
   Bus receiver;
   std::vector<std::int64_t> heard;
-  receiver.Subscribe<search_stop_t>(
+  const auto subscription = receiver.Subscribe<search_stop_t>(
       [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
   for (std::int64_t id = 1; id <= 100; ++id) ASSERT_TRUE(sender.Publish(Stop(id)));
   ASSERT_TRUE(PollUntil({&receiver}, [&] { return heard.size() == 100; }));
@@ -37,7 +38,7 @@ TEST(Bus, CarriesMessagesToAnotherBus) {
 TEST(Bus, AProcessHearsItself) {
   Bus bus;
   int heard = 0;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  const auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
   bus.Publish(Stop(1));
   EXPECT_TRUE(PollUntil({&bus}, [&] { return heard == 1; }));
 }
@@ -51,7 +52,7 @@ TEST(Bus, CarriesPictures) {
   picture.data.resize(64 * 64 * 3);
   messages::SetCounts(picture);
   std::int64_t last = -1;
-  bus.Subscribe<observation_t>([&](const observation_t& seen) {
+  const auto subscription = bus.Subscribe<observation_t>([&](const observation_t& seen) {
     EXPECT_EQ(seen.frame, last + 1);
     last = seen.frame;
   });
@@ -66,7 +67,7 @@ TEST(Bus, CarriesPictures) {
 TEST(Bus, RefusesAndCountsBadBytesByChannelAndReason) {
   Bus bus;
   int heard = 0;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  const auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
   std::vector<std::uint8_t> bytes = messages::CheckedEncode(Stop(1));
   bus.PublishRaw("SEARCH_STOP", {bytes.begin(), bytes.begin() + 20});
   bus.PublishRaw("SEARCH_STOP", {1, 2, 3});
@@ -95,7 +96,8 @@ TEST(Bus, CountsWhatTheCallerRefuses) {
 TEST(Bus, ChannelNamesAreNoRegularExpressions) {
   Bus bus;
   int heard = 0;
-  bus.Subscribe<search_stop_t>("A.B", [&](const search_stop_t&) { ++heard; });
+  const auto subscription =
+      bus.Subscribe<search_stop_t>("A.B", [&](const search_stop_t&) { ++heard; });
   bus.Publish("AxB", Stop(1));
   bus.Publish("A.B", Stop(2));
   bus.Publish("A.B", Stop(3));
@@ -106,13 +108,16 @@ TEST(Bus, ChannelNamesAreNoRegularExpressions) {
 TEST(Bus, ServesSeveralHandlersOfOneChannel) {
   Bus bus;
   std::string order;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'a'; });
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'b'; });
+  const auto subscription =
+      bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'a'; });
+  const auto second_subscription =
+      bus.Subscribe<search_stop_t>([&](const search_stop_t&) { order += 'b'; });
   bus.Publish(Stop(1));
   ASSERT_TRUE(PollUntil({&bus}, [&] { return order.size() == 2; }));
   EXPECT_EQ(order, "ab");
   EXPECT_EQ(bus.received(), 1);
-  EXPECT_THROW(bus.Subscribe<plan_t>("SEARCH_STOP", [](const plan_t&) {}), std::logic_error);
+  EXPECT_THROW(static_cast<void>(bus.Subscribe<plan_t>("SEARCH_STOP", [](const plan_t&) {})),
+               std::logic_error);
 }
 
 // The exception reaches Poll()'s caller past no C frame, and neither the bus nor later messages
@@ -120,7 +125,7 @@ TEST(Bus, ServesSeveralHandlersOfOneChannel) {
 TEST(Bus, HandlersMayThrow) {
   Bus bus;
   int heard = 0;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) {
+  const auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) {
     ++heard;
     if (stop.search_id == 1) throw std::runtime_error("handler");
   });
@@ -133,12 +138,113 @@ TEST(Bus, HandlersMayThrow) {
 TEST(Bus, HandlersMaySubscribeAndPublish) {
   Bus bus;
   bool answered = false;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) {
-    bus.Subscribe<predict_request_t>("ANSWER", [&](const predict_request_t&) { answered = true; });
+  Subscription inner;
+  const auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t&) {
+    inner = bus.Subscribe<predict_request_t>("ANSWER",
+                                             [&](const predict_request_t&) { answered = true; });
     bus.Publish("ANSWER", predict_request_t{});
   });
   bus.Publish(Stop(1));
   EXPECT_TRUE(PollUntil({&bus}, [&] { return answered; }));
+}
+
+TEST(Subscription, EndsWithItsHandle) {
+  Bus bus;
+  int first = 0, second = 0;
+  auto ends = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++first; });
+  const auto stays = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++second; });
+  bus.Publish(Stop(1));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return second == 1; }));
+  ends = Subscription();
+  bus.Publish(Stop(2));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return second == 2; }));
+  EXPECT_EQ(first, 1);
+}
+
+TEST(Subscription, MovesWithItsHandle) {
+  Bus bus;
+  int heard = 0;
+  std::vector<Subscription> held;
+  {
+    auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+    held.push_back(std::move(subscription));
+  }
+  bus.Publish(Stop(1));
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return heard == 1; }));
+}
+
+// An object that holds its subscriptions is not called once it is gone, be it that the handler
+// before its own has destroyed it.
+TEST(Subscription, AHandlerMayEndTheOneAfterIt) {
+  struct Listener {
+    explicit Listener(Bus& bus)
+        : subscription(bus.Subscribe<search_stop_t>([this](const search_stop_t&) { ++*heard; })) {}
+    std::unique_ptr<int> heard = std::make_unique<int>(0);
+    Subscription subscription;
+  };
+  Bus bus;
+  std::unique_ptr<Listener> listener;
+  int ended = 0;
+  const auto killer = bus.Subscribe<search_stop_t>([&](const search_stop_t&) {
+    listener.reset();
+    ++ended;
+  });
+  listener = std::make_unique<Listener>(bus);
+  bus.Publish(Stop(1));
+  EXPECT_TRUE(PollUntil({&bus}, [&] { return ended == 1; }));
+}
+
+TEST(Subscription, AHandlerMayEndItselfAndRunsToItsEnd) {
+  Bus bus;
+  int heard = 0, others = 0;
+  Subscription own;
+  own = bus.Subscribe<search_stop_t>([&, kept = std::string(100, 'x')](const search_stop_t&) {
+    own = Subscription();
+    heard += static_cast<int>(kept.size());  // the handler's own memory
+  });
+  const auto other = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++others; });
+  bus.Publish(Stop(1));
+  bus.Publish(Stop(2));
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return others == 2; }));
+  EXPECT_EQ(heard, 100);
+}
+
+TEST(Subscription, MayOutliveItsBus) {
+  Subscription subscription, raw;
+  auto bus = std::make_unique<Bus>();
+  subscription = bus->Subscribe<search_stop_t>([](const search_stop_t&) {});
+  bus = std::make_unique<Bus>();
+  raw = bus->SubscribeAll([](const RawMessage&) {});
+  bus.reset();
+}
+
+TEST(Subscription, WhatNobodyHearsAnyMoreIsNeitherReadNorCounted) {
+  Bus bus;
+  int heard = 0;
+  auto ends = bus.Subscribe<search_stop_t>([](const search_stop_t&) {});
+  const auto stays = bus.Subscribe<plan_t>([&](const plan_t&) { ++heard; });
+  ends = Subscription();
+  bus.Publish(Stop(1));
+  bus.Publish(plan_t{});
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return heard == 1; }));
+  EXPECT_EQ(bus.counters().count("SEARCH_STOP"), 0u);
+}
+
+TEST(Subscription, ToAllChannelsEndsToo) {
+  Bus bus;
+  int first = 0, second = 0;
+  const auto count = [](int* number) {
+    return [number](const RawMessage& message) { *number += message.channel == "ANYTHING"; };
+  };
+  auto ends = bus.SubscribeAll(count(&first));
+  bus.PublishRaw("ANYTHING", {1});
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return first == 1; }));
+  ends = Subscription();
+  const auto stays = bus.SubscribeAll(count(&second));
+  bus.PublishRaw("ANYTHING", {1});
+  ASSERT_TRUE(PollUntil({&bus}, [&] { return second > 0; }));
+  EXPECT_EQ(second, 1) << "and LCM brings each message once";
+  EXPECT_EQ(first, 1);
 }
 
 TEST(Bus, PublishThrowsWhenACountIsWrong) {
@@ -170,7 +276,7 @@ TEST(Bus, WakeEndsAPollFromAnotherThread) {
 
 TEST(Bus, AFloodLeavesTheLoopItsTurns) {
   Bus bus;
-  bus.Subscribe<expand_request_t>([](const expand_request_t&) {});
+  const auto subscription = bus.Subscribe<expand_request_t>([](const expand_request_t&) {});
   expand_request_t request{};
   request.paths = {{0, {}}};
   messages::SetCounts(request);
@@ -190,7 +296,7 @@ TEST(Bus, AFloodLeavesTheLoopItsTurns) {
 TEST(Bus, SubscribeAllHearsEveryChannelUnchecked) {
   Bus bus;
   std::vector<std::string> channels;
-  bus.SubscribeAll([&](const RawMessage& message) {
+  const auto subscription = bus.SubscribeAll([&](const RawMessage& message) {
     if (message.channel != "LCM_SELF_TEST") channels.push_back(message.channel);
   });
   bus.PublishRaw("ANYTHING", {1, 2, 3});
@@ -214,8 +320,9 @@ TEST(Bus, PortsDoNotHearEachOther) {
   Bus other("udpm://239.255.76.67:29999?ttl=0");
   int here = 0;
   int there = 0;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++here; });
-  other.Subscribe<search_stop_t>([&](const search_stop_t&) { ++there; });
+  const auto subscription = bus.Subscribe<search_stop_t>([&](const search_stop_t&) { ++here; });
+  const auto second_subscription =
+      other.Subscribe<search_stop_t>([&](const search_stop_t&) { ++there; });
   bus.Publish(Stop(1));
   ASSERT_TRUE(PollUntil({&bus, &other}, [&] { return here == 1; }));
   other.Poll(50);
@@ -240,9 +347,8 @@ std::vector<std::uint8_t> Part(std::uint32_t size, std::uint32_t offset, std::ui
 }
 
 std::vector<std::uint8_t> Whole(const std::string& rest) {
-  std::vector<std::uint8_t> bytes{'L', 'C', '0', '2', 0, 0, 0, 1};
-  bytes.insert(bytes.end(), rest.begin(), rest.end());
-  return bytes;
+  const std::string text = std::string("LC02\0\0\0\1", 8) + rest;
+  return {text.begin(), text.end()};
 }
 
 void SendToDefaultGroup(const std::vector<std::uint8_t>& datagram) {
@@ -277,7 +383,8 @@ TEST(Bus, DatagramsThatWouldEndLcmAreKeptOut) {
   };
   Bus bus;
   std::vector<std::int64_t> heard;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
+  const auto subscription = bus.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
   for (int round = 1; round <= 20; ++round) {
     for (const auto& datagram : harmful) SendToDefaultGroup(datagram);
     bus.Publish(Stop(round, std::string(100000, 'x')));  // in two parts: those that are right
@@ -292,9 +399,9 @@ TEST(KeyedBus, HearsWhoeverHasTheKeyAndCountsTheOthers) {
   const BusKey key{{1}}, other_key{{2}};
   Bus sender("", "", &key), receiver("", "", &key), stranger("", "", &other_key), open;
   std::vector<std::int64_t> heard, openly;
-  receiver.Subscribe<search_stop_t>(
+  const auto subscription = receiver.Subscribe<search_stop_t>(
       [&](const search_stop_t& stop) { heard.push_back(stop.search_id); });
-  open.Subscribe<search_stop_t>(
+  const auto second_subscription = open.Subscribe<search_stop_t>(
       [&](const search_stop_t& stop) { openly.push_back(stop.search_id); });
   sender.Publish(Stop(1));
   stranger.Publish(Stop(2));
@@ -318,8 +425,9 @@ TEST(KeyedBus, WhatIsPlayedAgainIsRefused) {
   Bus sender("", "", &key), receiver("", "", &key), recorder;
   int heard = 0;
   std::vector<RawMessage> recorded;
-  receiver.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
-  recorder.SubscribeAll([&](const RawMessage& message) {
+  const auto subscription =
+      receiver.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard; });
+  const auto second_subscription = recorder.SubscribeAll([&](const RawMessage& message) {
     if (message.channel == "SEARCH_STOP") recorded.push_back(message);
   });
   sender.Publish(Stop(1));
@@ -335,7 +443,7 @@ TEST(KeyedBus, SubscribeAllShowsMessagesWithoutTagsAndWhatIsRefused) {
   const BusKey key{{1}};
   Bus sender("", "", &key), reader("", "", &key), open;
   std::vector<RawMessage> seen;
-  reader.SubscribeAll([&](const RawMessage& message) {
+  const auto subscription = reader.SubscribeAll([&](const RawMessage& message) {
     if (message.channel == "SEARCH_STOP") seen.push_back(message);
   });
   sender.Publish(Stop(1));

@@ -14,12 +14,13 @@ namespace {
 class CalibrationServer : public testing::Test {
  protected:
   CalibrationServer() {
-    ear_.Subscribe<calibration_t>([this](const calibration_t& said) { calibration_ = said; });
-    ear_.Subscribe<model_info_t>([this](const model_info_t& said) {
+    subscriptions_.push_back(
+        ear_.Subscribe<calibration_t>([this](const calibration_t& said) { calibration_ = said; }));
+    subscriptions_.push_back(ear_.Subscribe<model_info_t>([this](const model_info_t& said) {
       ++infos_;
       info_ = said;
       known_before_info_ = calibration_.has_value();
-    });
+    }));
   }
   // Serves until the server has introduced itself `times` times.
   bool Serve(const model::ScriptedOptions& options, int times) {
@@ -36,6 +37,7 @@ class CalibrationServer : public testing::Test {
   model_info_t info_{};
   int infos_ = 0;
   bool known_before_info_ = false;
+  std::vector<Subscription> subscriptions_;
 };
 
 TEST_F(CalibrationServer, SaysTheSampleOfItsWeightsBeforeItIntroducesItself) {

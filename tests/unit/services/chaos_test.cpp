@@ -199,8 +199,9 @@ TEST(ChaosOnABus, StrikesWhatIsHeardAndNotWhatIsSent) {
   Bus whole;
   int here = 0;
   int there = 0;
-  struck.Subscribe<search_stop_t>([&](const search_stop_t&) { ++here; });
-  whole.Subscribe<search_stop_t>([&](const search_stop_t&) { ++there; });
+  const auto subscription = struck.Subscribe<search_stop_t>([&](const search_stop_t&) { ++here; });
+  const auto second_subscription =
+      whole.Subscribe<search_stop_t>([&](const search_stop_t&) { ++there; });
   for (int i = 0; i < 10; ++i) struck.Publish(Stop(i));
   ASSERT_TRUE(PollUntil({&struck, &whole},
                         [&] { return there == 10 && struck.chaos_counters()["dropped"] == 10; }));
@@ -211,7 +212,8 @@ TEST(ChaosOnABus, StrikesWhatIsHeardAndNotWhatIsSent) {
 TEST(ChaosOnABus, PollWaitsForWhatIsDelayed) {
   Bus bus("", "delay=30ms");
   std::int64_t heard_ms = 0;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t&) { heard_ms = SteadyMs(); });
+  const auto subscription =
+      bus.Subscribe<search_stop_t>([&](const search_stop_t&) { heard_ms = SteadyMs(); });
   const std::int64_t sent_ms = SteadyMs();
   bus.Publish(Stop(1));
   for (int i = 0; i < 100 && heard_ms == 0; ++i) bus.Poll(2000);
@@ -224,7 +226,8 @@ TEST(ChaosOnABus, PollWaitsForWhatIsDelayed) {
 TEST(ChaosOnABus, CorruptedMessagesAreRefused) {
   Bus bus("", "corrupt=0.5,seed=1");
   std::set<std::int64_t> heard;
-  bus.Subscribe<search_stop_t>([&](const search_stop_t& stop) { heard.insert(stop.search_id); });
+  const auto subscription = bus.Subscribe<search_stop_t>(
+      [&](const search_stop_t& stop) { heard.insert(stop.search_id); });
   constexpr int kSent = 400;
   for (int i = 1; i <= kSent; ++i) {
     bus.Publish(Stop(i));
@@ -242,9 +245,12 @@ TEST(ChaosOnABus, TheProcessesOwnIsTakenUnlessOneIsGiven) {
   SetChaos("");
   Bus whole;
   int heard[3] = {};
-  struck.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[0]; });
-  other.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[1]; });
-  whole.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[2]; });
+  const auto subscription =
+      struck.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[0]; });
+  const auto second_subscription =
+      other.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[1]; });
+  const auto third_subscription =
+      whole.Subscribe<search_stop_t>([&](const search_stop_t&) { ++heard[2]; });
   whole.Publish(Stop(1));
   EXPECT_TRUE(PollUntil({&struck, &other, &whole}, [&] {
     return heard[1] == 1 && heard[2] == 1 && struck.chaos_counters()["dropped"] == 1;

@@ -44,7 +44,7 @@ TEST_F(Health, ABeaconIsHeardWithAllItSays) {
 
 TEST_F(Health, BeatsOncePerSecondAndOnChange) {
   int beats = 0;
-  bus_.Subscribe<health_t>([&](const health_t&) { ++beats; });
+  const auto subscription = bus_.Subscribe<health_t>([&](const health_t&) { ++beats; });
   HealthBeacon beacon(bus_, "worker");
   for (int i = 0; i < 50; ++i) beacon.Tick();
   ASSERT_TRUE(PollUntil({&bus_}, [&] { return beats == 1; }));

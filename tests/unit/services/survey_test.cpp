@@ -79,7 +79,8 @@ TEST(Survey, SaysWhenNothingWasHeard) {
 TEST(Survey, EveryChannelOnTheBusDecodes) {
   Bus bus;
   BusSurvey survey;
-  bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
+  const auto subscription =
+      bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
   for (const ChannelInfo& channel : Channels()) {
 #define PUBLISH(type) \
   if (std::string(channel.type_name) == #type) bus.Publish(channel.name, type{});

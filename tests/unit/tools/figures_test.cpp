@@ -495,11 +495,11 @@ TEST(AddJudgements, FollowsWhatWasDone) {
   AddJudgements(
       trial, &engine, [](const model::Hidden&, const model::Hidden&, int) { return 0.5F; },
       &record);
-  const model::Hidden h0 = engine.Encode(trial.seen[0].rgb.data());
+  const model::Hidden h0 = engine.Encode(trial.seen[0].rgb);
   const int a0 = trial.segments()[0].action, a1 = trial.segments()[1].action;
   const int a2 = trial.segments()[2].action;
-  const auto once = engine.Expand({{h0.data(), h0.data(), a0}}).front();
-  const auto twice = engine.Expand({{h0.data(), once.h.data(), a1}}).front();
+  const auto once = engine.Expand({{h0, h0, a0}}).front();
+  const auto twice = engine.Expand({{h0, once.h, a1}}).front();
   EXPECT_EQ(record.v[1][0].score, once.value);
   EXPECT_EQ(record.f[1][0].score, once.done);
   EXPECT_EQ(record.q[1][0].score, once.q[static_cast<std::size_t>(a1)]);
@@ -507,8 +507,7 @@ TEST(AddJudgements, FollowsWhatWasDone) {
   EXPECT_EQ(record.f[2][0].score, twice.done);
   EXPECT_EQ(record.q[2][0].score, twice.q[static_cast<std::size_t>(a2)]);
   EXPECT_TRUE(record.v[2][0].truth);
-  EXPECT_EQ(record.q[0][0].score,
-            engine.Evaluate(h0.data(), h0.data(), 3).q[static_cast<std::size_t>(a0)]);
+  EXPECT_EQ(record.q[0][0].score, engine.Evaluate(h0, h0, 3).q[static_cast<std::size_t>(a0)]);
 }
 
 // --- variants
@@ -529,10 +528,10 @@ TEST(PicturesAlong, FollowsThePathInTheFirstPicturesLight) {
   };
   EXPECT_EQ(PicturesAlong(loaded, first, later, {1, 2}).size(), 2U);
   EXPECT_EQ(light, 10);
-  const model::Hidden h = engine->Encode(first.rgb.data());
-  const auto once = engine->Expand({{h.data(), h.data(), 1}}).front().h;
+  const model::Hidden h = engine->Encode(first.rgb);
+  const auto once = engine->Expand({{h, h, 1}}).front().h;
   EXPECT_EQ(painted[0], once);
-  EXPECT_EQ(painted[1], engine->Expand({{h.data(), once.data(), 2}}).front().h);
+  EXPECT_EQ(painted[1], engine->Expand({{h, once, 2}}).front().h);
 }
 
 TEST(Variants, WhatWasNotTrainedIsNamed) {

@@ -30,13 +30,13 @@ struct Known {
     for (int i = 0; i < kFit + kRank + kFresh; ++i) {
       const auto picture = FirstPicture(*task, kFirst + static_cast<std::uint64_t>(i), 0.01);
       auto& list = i < kFit ? fit : i < kFit + kRank ? rank : fresh;
-      list.push_back(model::TakeNoveltySample(*engine, picture.data()));
+      list.push_back(model::TakeNoveltySample(*engine, picture));
     }
     gauge = std::make_unique<model::NoveltyGauge>(fit, rank);
   }
 
   double P(const std::vector<std::uint8_t>& picture) const {
-    return gauge->Judge(model::TakeNoveltySample(*engine, picture.data())).p;
+    return gauge->Judge(model::TakeNoveltySample(*engine, picture)).p;
   }
 };
 

@@ -89,7 +89,8 @@ TEST(SearchMessages, ParametersComeBack) {
   sent.c = 3.5;
   sent.p_min = 0.05;
   sent.refusal_threshold = 0.4;
-  sent.skip_exhausted = true;
+  sent.sharing = false;
+  sent.workers = 4;
   sent.depth = 4;
   sent.samples = 77;
   sent.seed = 5;
@@ -101,7 +102,8 @@ TEST(SearchMessages, ParametersComeBack) {
   EXPECT_EQ(back.c, 3.5);
   EXPECT_EQ(back.p_min, 0.05);
   EXPECT_EQ(back.refusal_threshold, 0.4);
-  EXPECT_TRUE(back.skip_exhausted);
+  EXPECT_FALSE(back.sharing);
+  EXPECT_EQ(back.workers, 4);
   EXPECT_EQ(back.depth, 4);
   EXPECT_EQ(back.samples, 77);
   EXPECT_EQ(back.deadline_us, 0);

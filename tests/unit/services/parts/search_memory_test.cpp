@@ -22,7 +22,7 @@ class SearchMemoryTest : public testing::Test {
   std::unique_ptr<SearchMemory> Make(std::size_t bytes, Path executed = {}) {
     auto memory = std::make_unique<SearchMemory>(engine, planner::AnyOrder(7, 4), executed, bytes);
     const std::vector<std::uint8_t> picture(64 * 64 * 3, 9);
-    memory->SetRoot(engine.Encode(picture.data()), engine.Encode(picture.data()));
+    memory->SetRoot(engine.Encode(picture), engine.Encode(picture));
     return memory;
   }
 
@@ -61,9 +61,11 @@ class CallCounter : public model::EngineDecorator {
  public:
   explicit CallCounter(std::vector<std::size_t>* calls)
       : EngineDecorator(std::make_unique<model::ScriptedEngine>(AllOffered())), calls_(calls) {}
-  std::vector<model::Prediction> Expand(const std::vector<model::ExpandInput>& rows) override {
+
+ protected:
+  std::vector<model::Prediction> DoExpand(const std::vector<model::ExpandInput>& rows) override {
     calls_->push_back(rows.size());
-    return EngineDecorator::Expand(rows);
+    return EngineDecorator::DoExpand(rows);
   }
 
  private:
@@ -75,7 +77,7 @@ TEST_F(SearchMemoryTest, PathsOfAllLengthsShareABatch) {
   CallCounter counter(&calls);
   SearchMemory memory(counter, planner::AnyOrder(7, 4), {}, 1 << 20);
   const std::vector<std::uint8_t> picture(64 * 64 * 3, 9);
-  memory.SetRoot(counter.Encode(picture.data()), counter.Encode(picture.data()));
+  memory.SetRoot(counter.Encode(picture), counter.Encode(picture));
   memory.Compute({{1, 2, 3}}, 16);
   EXPECT_EQ(calls, (std::vector<std::size_t>{1, 1, 1}));
   calls.clear();
@@ -103,11 +105,13 @@ TEST_F(SearchMemoryTest, NeedsTheRootsPictures) {
 // Counts how often pictures are really encoded.
 class CountingEngine : public model::ScriptedEngine {
  public:
-  model::Hidden Encode(const std::uint8_t* rgb) override {
-    ++encoded;
-    return model::ScriptedEngine::Encode(rgb);
-  }
   int encoded = 0;
+
+ protected:
+  model::Hidden DoEncode(model::Pixels picture) override {
+    ++encoded;
+    return model::ScriptedEngine::DoEncode(picture);
+  }
 };
 
 TEST(PictureEncoderTest, SamePictureIsEncodedOnceWhileRemembered) {
