@@ -5,6 +5,7 @@
 
 #include "base/exit_codes.h"
 #include "cli/help.h"
+#include "cli/installation.h"
 #include "cli/nearest.h"
 #include "cli/table.h"
 
@@ -45,7 +46,7 @@ std::string Stray(const CLI::App& app) {
   if (!word.starts_with("-")) return "'" + word + "' is too much";
   const std::string unknown = "unknown option '" + word + "'";
   const std::string other = NeighbourWith(word, CommandOf(app));
-  if (!other.empty()) return unknown + "; ./prospect " + other + " has it";
+  if (!other.empty()) return unknown + "; " + TypedName() + " " + other + " has it";
   const std::string nearest = NearestWord(word, OptionNames(app));
   return nearest.empty() ? unknown : unknown + "; did you mean " + nearest + "?";
 }
@@ -71,7 +72,7 @@ int Tell(const CLI::App& app, const std::string& what) {
 
 void SetUp(CLI::App& app, std::string_view command) {
   const Command* entry = FindCommand(command);
-  app.name((entry != nullptr ? "./prospect " : "") + std::string(command));
+  app.name((entry != nullptr ? TypedName() + " " : "") + std::string(command));
   if (entry != nullptr) app.description(entry->summary);
   app.set_help_flag("-h,--help", "these lines");
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "cli/installation.h"
+
 namespace prospect::cli {
 namespace {
 
@@ -92,17 +94,16 @@ std::string Overview(const std::vector<Command>& commands) {
   column += kIndent + 2;
   std::string text =
       "Prospect: looks at a scene, imagines what its actions would do, and acts on the best\n"
-      "imagined plan or refuses.\n\nusage: ./prospect COMMAND [OPTION...]\n";
+      "imagined plan or refuses.\n\nusage: " +
+      TypedName() + " COMMAND [OPTION...]\n";
   for (const Group group :
        {Group::kTry, Group::kRun, Group::kLook, Group::kTrain, Group::kMeasure}) {
     text += std::string("\n") + Title(group) + "\n";
     for (const Command& command : commands)
       if (command.group == group) text += Row(command.name, command.summary, column);
   }
-  return text +
-         "\n./prospect COMMAND --help tells the options of one; with --dry-run a command checks "
-         "its\n"
-         "options and does nothing.\n\n"
+  return text + "\n" + TypedName() + " COMMAND --help tells the options of one; " + TypedName() +
+         " --dry-run COMMAND ...\nchecks what was typed and does nothing.\n\n"
          "Exit codes: 0 success, 2 usage, 3 refused, 4 failed or stopped, 5 figure out of "
          "tolerance,\n"
          "10 weights, 11 bus, 12 bus in use, 13 disk, 14 data file, 15 service lost, 16 time-out,\n"

@@ -11,6 +11,7 @@
 #include "base/run_main.h"
 #include "cli/command.h"
 #include "cli/help.h"
+#include "cli/installation.h"
 #include "cli/nearest.h"
 #include "cli/run/invocation.h"
 #include "cli/run/processes.h"
@@ -49,8 +50,8 @@ int TellUnknown(const std::string& typed) {
   for (const Command& command : Commands()) names.push_back(command.name);
   const std::string nearest = NearestWord(typed, names);
   return Fail(2, "unknown command '" + typed + "'" +
-                     (nearest.empty() ? "" : "; did you mean " + nearest + "?") +
-                     " (./prospect --help lists all)");
+                     (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " (" +
+                     TypedName() + " --help lists all)");
 }
 
 // What a build without OpenCV lacks is told as such.
