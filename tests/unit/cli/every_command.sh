@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every command of the table: its help ends with 0 and starts nothing, a mistyped option with 2, and the completion is a script
-# that bash takes.
+# that bash takes. And where an installed program finds what belongs to it.
 #   every_command.sh PROSPECT
 set -uo pipefail
 prospect=$1
@@ -25,4 +25,17 @@ bash -c 'source <("$0" completion bash); COMP_WORDS=(prospect run --no-r) COMP_C
 grep -q 'did you mean oracle' <<<"$("$prospect" oracel 2>&1)" || fault 'oracel'
 [ "$("$prospect" --programs demo | wc -l)" -ge 6 ] || fault '--programs demo'
 [ -z "$("$prospect" --programs demo --help)" ] || fault '--programs demo --help'
+
+# Installed: programs in lib/prospect, data in share/prospect, and no "./" before its name.
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+mkdir -p "$place"/{bin,lib/prospect,share/prospect}
+cp "$prospect" "$place/bin"
+printf '#!/bin/sh\necho key=/there\n' >"$place/lib/prospect/prospect-supervisor"
+chmod +x "$place/lib/prospect/prospect-supervisor"
+grep -q '^usage: prospect run' <<<"$("$place/bin/prospect" run --help)" || fault 'the usage of an installed one'
+[ "$("$place/bin/prospect" key)" = /there ] || fault 'programs of an installed one are not found'
+said=$("$place/bin/prospect" up --task navigation 2>&1)
+[ $? = 10 ] && grep -q "$place/share/prospect/model/weights/navigation.safetensors" <<<"$said" || fault "data of an installed one: $said"
+
 [ "$faults" = 0 ]
