@@ -7,23 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
+
 namespace prospect::base {
 
 /// An object names a key twice.
 struct KeyTwiceError : std::invalid_argument {
   explicit KeyTwiceError(std::vector<std::string> keys)
-      : std::invalid_argument("names '" + Joined(keys) + "' twice, and which one counts is chance"),
+      : std::invalid_argument("names '" + Joined(keys, ".") +
+                              "' twice, and which one counts is chance"),
         path(std::move(keys)),
-        key(Joined(path)) {}
+        key(Joined(path, ".")) {}
   std::vector<std::string> path;  ///< the keys of the objects around it, and its own
   std::string key;                ///< the same as one text: "heads.batch"
-
- private:
-  static std::string Joined(const std::vector<std::string>& keys) {
-    std::string text;
-    for (const std::string& one : keys) text += (text.empty() ? "" : ".") + one;
-    return text;
-  }
 };
 
 /// Parses what people and other programs wrote: as nlohmann::json::parse without exceptions

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "base/hash.h"
+
 namespace prospect::messages {
 namespace {
 
@@ -102,12 +104,13 @@ std::uint64_t LittleEndian(const std::uint8_t* at, std::size_t size) {
   return word;
 }
 
-// FNV-1a's steps over words of eight bytes. Each step is a bijection of the state and of the word,
+// FNV-1a's steps over words of eight bytes, with what FNV lacks for words: the high half is folded
+// down after each. Each step is a bijection of the state and of the word,
 // so no change within one word can go unseen. Never 0, which means that there is no seal.
 std::uint64_t SealOf(const std::uint8_t* data, std::size_t size) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL ^ size;
+  std::uint64_t hash = base::kHashStart ^ size;
   for (std::size_t at = 0; at < size; at += 8) {
-    hash = (hash ^ LittleEndian(data + at, std::min<std::size_t>(8, size - at))) * 0x100000001b3ULL;
+    hash = (hash ^ LittleEndian(data + at, std::min<std::size_t>(8, size - at))) * base::kHashPrime;
     hash ^= hash >> 32;
   }
   return hash ? hash : 1;

@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
+#include <exception>
 #include <string>
 #include <vector>
 
+#include "lcmtypes/counts.h"
 #include "lcmtypes/fields.h"
 #include "lcmtypes/schema.h"
 
@@ -63,22 +64,6 @@ DecodeResult<T> CheckedDecode(const void* data, std::size_t size) {
   return result;
 }
 
-/// A count that differs from its array's size: a fault of the program that filled the message.
-class EncodeError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Sets every count (num_x) of `message` and of the messages inside it to the size of its array.
-/// @throws EncodeError when two arrays that share a count differ in size, naming both
-template <class T>
-void SetCounts(T& message);
-
-/// Compares every count with its arrays' sizes. @throws EncodeError naming type and field when one
-/// differs
-template <class T>
-void RequireCounts(const T& message);
-
 /// The bytes of `message`, sealed whatever its own `seal` field holds. @throws EncodeError as
 /// RequireCounts does
 template <class T>
@@ -94,5 +79,3 @@ std::vector<std::uint8_t> CheckedEncode(const T& message) {
 }
 
 }  // namespace prospect::messages
-
-#include "lcmtypes/counts.h"

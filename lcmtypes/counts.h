@@ -1,13 +1,31 @@
 #pragma once
 
+#include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "lcmtypes/checked_codec.h"
+#include "lcmtypes/fields.h"
 
-/// How SetCounts and RequireCounts walk a message. Included by checked_codec.h; nobody else needs
-/// it.
+/// The counts (num_x) of a message and the sizes of its arrays, which LCM's types keep apart.
 namespace prospect::messages {
+
+/// A count that differs from its array's size: a fault of the program that filled the message.
+class EncodeError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Sets every count (num_x) of `message` and of the messages inside it to the size of its array.
+/// @throws EncodeError when two arrays that share a count differ in size, naming both
+template <class T>
+void SetCounts(T& message);
+
+/// Compares every count with its arrays' sizes. @throws EncodeError naming type and field when one
+/// differs
+template <class T>
+void RequireCounts(const T& message);
+
 namespace internal {
 
 [[noreturn]] inline void ThrowCount(const char* type, const char* field, long count,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/hash.h"
+#include "base/hash.h"
 #include "model/weights.h"
 
 namespace prospect::model {
@@ -84,13 +84,14 @@ constexpr char kNoveltyPrefix[] = "novelty.";
 }  // namespace
 
 std::uint64_t TensorsHash(const WeightsFile& file) {
-  std::uint64_t hash = HashText("tensors");
+  std::uint64_t hash = base::HashText("tensors");
   for (const auto& [name, tensor] : file.tensors) {
     if (name.starts_with(kNoveltyPrefix)) continue;
-    hash = HashText(name, hash);
-    for (const std::int64_t extent : tensor.sizes()) hash = HashBytes(&extent, sizeof extent, hash);
+    hash = base::HashText(name, hash);
+    for (const std::int64_t extent : tensor.sizes())
+      hash = base::HashBytes(&extent, sizeof extent, hash);
     const torch::Tensor whole = tensor.to(torch::kHalf).contiguous();
-    hash = HashBytes(whole.data_ptr(), whole.nbytes(), hash);
+    hash = base::HashBytes(whole.data_ptr(), whole.nbytes(), hash);
   }
   return hash;
 }
@@ -105,7 +106,7 @@ void StoreCalibration(const std::string& weights_path, const Calibration& calibr
   if (calibration.epsilon) stored["delta"] = calibration.delta;
   if (!calibration.sample.empty()) {
     stored["sample"] = ToJson(calibration.sample);
-    stored["tensors"] = HexText(TensorsHash(file));
+    stored["tensors"] = base::HexText(TensorsHash(file));
   }
   file.metadata["calibration"] = stored;
   WriteWeights(weights_path, file.tensors, file.metadata);
@@ -121,7 +122,7 @@ Calibration CalibrationOf(const WeightsFile& file, const std::string& path) {
   } catch (const std::exception& error) {
     throw WeightsError(path + ": its calibration is damaged (" + error.what() + ")");
   }
-  if (!made_for.empty() && made_for != HexText(TensorsHash(file))) {
+  if (!made_for.empty() && made_for != base::HexText(TensorsHash(file))) {
     throw WeightsError(path +
                        ": its calibration was made for other weights, so no promise of it holds: "
                        "make one with ./prospect evaluate --calibrate");

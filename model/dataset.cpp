@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "model/demo_io.h"
 #include "model/foreign_file.h"
-#include "model/hash.h"
 #include "model/hdf5_io.h"
 
 namespace prospect::model {
@@ -274,9 +274,9 @@ void TrialFile::ReadFrames(std::size_t i, const std::vector<int>& frames, std::u
 }
 
 std::string TrialFile::ContentHash() const {
-  std::uint64_t hash = HashText("prospect-data-1");
+  std::uint64_t hash = base::HashText("prospect-data-1");
   const auto add = [&hash](const auto& values) {
-    hash = HashBytes(values.data(), values.size() * sizeof(values[0]), hash);
+    hash = base::HashBytes(values.data(), values.size() * sizeof(values[0]), hash);
   };
   for (std::size_t i = 0; i < size(); ++i) {
     const Trial trial = ReadLabels(i);
@@ -290,20 +290,20 @@ std::string TrialFile::ContentHash() const {
     add(trial.present);
     add(trial.segment_succeeded);
   }
-  return HexText(hash);
+  return base::HexText(hash);
 }
 
 std::string TrialFile::PicturesHash() const {
   constexpr std::size_t kTrials = 64;
-  std::uint64_t hash = HashText("prospect-pictures-1");
+  std::uint64_t hash = base::HashText("prospect-pictures-1");
   for (std::size_t i = 0; i < size(); i += 1 + size() / kTrials) {
     const Trial labels = ReadLabels(i);
     if (labels.segment.empty()) continue;
     std::vector<std::uint8_t> frame(static_cast<std::size_t>(labels.width * labels.height * 3));
     ReadFrames(i, {0}, frame.data());
-    hash = HashBytes(frame.data(), frame.size(), hash);
+    hash = base::HashBytes(frame.data(), frame.size(), hash);
   }
-  return HexText(hash);
+  return base::HexText(hash);
 }
 
 void WriteTrialFile(const std::string& path, const Trial& trial) {

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "base/number_format.h"
 
 namespace prospect::model {
 namespace {
 
-std::string Number(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+using base::Number;
 
 /// "3.00 times" and what is usual, with enough digits to tell the two apart.
 std::string Compared(double value, const char* unit, double limit) {

@@ -18,7 +18,7 @@ QuestionKey KeyOf(std::span<const std::byte> bytes) {
     high ^= high >> 32;
     bytes = bytes.subspan(taken);
   }
-  return {Mix64(low), Mix64(high)};
+  return {base::Mix64(low), base::Mix64(high)};
 }
 
 }  // namespace prospect::model

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model {
 
@@ -26,10 +26,11 @@ QuestionKey KeyOf(std::span<const std::byte> bytes);
 
 /// Key of an ordered pair of a question so far and one more number or key.
 inline QuestionKey Join(const QuestionKey& a, const QuestionKey& b) {
-  return {Mix64(a.low * 31 + b.low), Mix64(a.high ^ Mix64(b.high + 0x632be59bd9b4e019ULL))};
+  return {base::Mix64(a.low * 31 + b.low),
+          base::Mix64(a.high ^ base::Mix64(b.high + 0x632be59bd9b4e019ULL))};
 }
 inline QuestionKey Join(const QuestionKey& a, std::uint64_t number) {
-  return Join(a, QuestionKey{Mix64(number), Mix64(~number)});
+  return Join(a, QuestionKey{base::Mix64(number), base::Mix64(~number)});
 }
 
 }  // namespace prospect::model

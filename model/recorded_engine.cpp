@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/hash.h"
+
 namespace prospect::model {
 namespace {
 
@@ -18,17 +20,17 @@ constexpr std::uint32_t kMostNumbers = 1 << 26;
 // --- keys
 
 QuestionKey PictureKey(Pixels picture, const char* question) {
-  return Join(KeyOf(std::as_bytes(picture)), HashText(question));
+  return Join(KeyOf(std::as_bytes(picture)), base::HashText(question));
 }
 
 QuestionKey ActionKey(std::span<const float> h0, std::span<const float> h, int action,
                       const char* question) {
   const QuestionKey states = Join(KeyOf(std::as_bytes(h0)), KeyOf(std::as_bytes(h)));
-  return Join(Join(states, static_cast<std::uint64_t>(action)), HashText(question));
+  return Join(Join(states, static_cast<std::uint64_t>(action)), base::HashText(question));
 }
 
 QuestionKey DecodeKey(const Hidden& state) {
-  return Join(KeyOf(std::as_bytes(std::span(state))), HashText("Decode"));
+  return Join(KeyOf(std::as_bytes(std::span(state))), base::HashText("Decode"));
 }
 
 // --- the file: plain numbers in this machine's byte order

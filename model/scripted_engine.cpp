@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model {
 namespace {
@@ -29,7 +29,7 @@ std::uint64_t Unpack(std::span<const float> h) {
 
 /// Uniform in [0,1), a pure function of (state, question).
 float Draw(std::uint64_t state, std::uint64_t question) {
-  return static_cast<float>(Mix64(state ^ Mix64(question)) >> 40) * 0x1.0p-24F;
+  return static_cast<float>(base::Mix64(state ^ base::Mix64(question)) >> 40) * 0x1.0p-24F;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ ScriptedEngine::ScriptedEngine(const ScriptedOptions& options) : options_(option
   info_.calibration = options.calibration;
 }
 
-Hidden ScriptedEngine::DoEncode(Pixels) { return Pack(Mix64(kRootState ^ options_.seed)); }
+Hidden ScriptedEngine::DoEncode(Pixels) { return Pack(base::Mix64(kRootState ^ options_.seed)); }
 
 Prediction ScriptedEngine::Answer(std::uint64_t state, int action, float done) const {
   Prediction answer;
@@ -68,7 +68,7 @@ std::vector<Prediction> ScriptedEngine::DoExpand(const std::vector<ExpandInput>&
   std::vector<Prediction> answers;
   for (const ExpandInput& row : rows) {
     const std::uint64_t state =
-        Mix64(Unpack(row.h) * 31 + static_cast<std::uint64_t>(row.action) + 1);
+        base::Mix64(Unpack(row.h) * 31 + static_cast<std::uint64_t>(row.action) + 1);
     const bool fails = Draw(state, 2) < static_cast<float>(options_.failing_share);
     answers.push_back(Answer(state, row.action, fails ? 0.02F : 0.8F + 0.2F * Draw(state, 3)));
     answers.back().h = Pack(state);
@@ -96,11 +96,12 @@ std::vector<float> ScriptedEngine::DoClassify(Pixels) {
 }
 
 std::uint64_t ScriptedEngine::weights_hash() const {
-  return HashText("scripted/" + options_.task + "/" + std::to_string(options_.num_actions) + "/" +
-                  std::to_string(options_.offered_actions) + "/" +
-                  std::to_string(options_.failing_share) + "/" + std::to_string(options_.seed));
+  return base::HashText("scripted/" + options_.task + "/" + std::to_string(options_.num_actions) +
+                        "/" + std::to_string(options_.offered_actions) + "/" +
+                        std::to_string(options_.failing_share) + "/" +
+                        std::to_string(options_.seed));
 }
 
-std::uint64_t ScriptedEngine::fingerprint() const { return Mix64(weights_hash()); }
+std::uint64_t ScriptedEngine::fingerprint() const { return base::Mix64(weights_hash()); }
 
 }  // namespace prospect::model

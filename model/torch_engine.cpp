@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "base/hash.h"
 #include "model/calibration.h"
 #include "model/engine.h"
-#include "model/hash.h"
 #include "model/networks/libtorch.h"
 #include "model/networks/light.h"
 #include "model/networks/networks.h"
@@ -193,11 +193,11 @@ class TorchEngine : public Engine {
       picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
     const Hidden h0 = DoEncode(picture);
     const Prediction answer = DoExpand({{h0, h0, 0}}).front();
-    std::uint64_t hash = HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
-    hash = HashBytes(&answer.value, sizeof(float), hash);
-    hash = HashBytes(&answer.done, sizeof(float), hash);
-    hash = HashBytes(answer.q.data(), answer.q.size() * sizeof(float), hash);
-    return HashBytes(answer.p.data(), answer.p.size() * sizeof(float), hash);
+    std::uint64_t hash = base::HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
+    hash = base::HashBytes(&answer.value, sizeof(float), hash);
+    hash = base::HashBytes(&answer.done, sizeof(float), hash);
+    hash = base::HashBytes(answer.q.data(), answer.q.size() * sizeof(float), hash);
+    return base::HashBytes(answer.p.data(), answer.p.size() * sizeof(float), hash);
   }
 
   Networks networks_;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/hash.h"
 #include "model/dataset.h"
-#include "model/hash.h"
 
 namespace prospect::model {
 namespace {
@@ -73,7 +73,7 @@ void RequireFrame(const Trial& t, int i) {
 }  // namespace
 
 Split SplitOf(std::uint64_t seed) {
-  switch (Mix64(seed ^ kSplitSalt) % 10) {
+  switch (base::Mix64(seed ^ kSplitSalt) % 10) {
     case 0:
       return Split::kTest;
     case 1:

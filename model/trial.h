@@ -34,7 +34,7 @@ const char* SplitName(Split split);
 /// numbered from 0. Frames before the first action carry the null action (== num_actions) and
 /// segment -1. The frame on which segment k+1 begins is the frame that met the end condition of
 /// segment k; the last frame of the trial ends the last segment. Images are clean: sensor noise is
-/// a function of (seed, frame) and is added by whoever reads them (sim/sensor_noise.h), because
+/// a function of (seed, frame) and is added by whoever reads them (base/sensor_noise.h), because
 /// clean images compress ten times better.
 struct Trial {
   /// Of what was simulated, the scene and its noise: kFirstCollectionSeed..kLastCollectionSeed.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "base/strict_json.h"
-#include "model/hash.h"
 
 namespace prospect::model {
 namespace {
@@ -181,7 +181,7 @@ WeightsFile ReadWeights(const std::string& path) {
     file.tensors.emplace(item.key(), std::move(tensor));
   }
   RequireNoGaps(path, std::move(places), data_bytes);
-  file.hash = HashText(bytes);
+  file.hash = base::HashText(bytes);
   return file;
 }
 
@@ -202,7 +202,7 @@ void WriteWeights(const std::string& path, const std::map<std::string, torch::Te
   base::WriteFile(path, LittleEndian(text.size()) + text + data);
 }
 
-std::uint64_t WeightsFileHash(const std::string& path) { return HashText(ReadBytes(path)); }
+std::uint64_t WeightsFileHash(const std::string& path) { return base::HashText(ReadBytes(path)); }
 
 void CollectTensors(const std::string& prefix, const torch::nn::Module& module,
                     std::map<std::string, torch::Tensor>* tensors) {

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "base/text.h"
+
 namespace prospect::planner {
 namespace {
 
@@ -26,9 +28,7 @@ constexpr int kMostStandings = 1 << 19;  // of all actions: what Prepare looks a
 bool IsOpen(const std::string& argument) { return argument == kOpen; }
 
 std::string Listed(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
+  return names.empty() ? "none" : base::Joined(names);
 }
 
 std::string Short(const std::string& text) {

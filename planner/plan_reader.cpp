@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::planner {
 namespace {
@@ -71,7 +71,7 @@ std::string After(const char* words, const std::string& text) {
 // "2 with an action that would not finish (f < 0.100)"; nothing for none.
 std::string Counted(std::int64_t count, const char* what, const char* bound, double limit) {
   if (count == 0) return "";
-  return std::to_string(count) + what + " (" + bound + " < " + Fixed(limit, kDigits) + ")";
+  return std::to_string(count) + what + " (" + bound + " < " + base::Fixed(limit, kDigits) + ")";
 }
 
 bool Reader::Counted(PathId id) const {
@@ -237,8 +237,8 @@ void Reader::ConcludeWithoutEnd() {
     plan_.best = WriteOut(*low);
     const double score = low->score, threshold = s_.parameters->refusal_threshold;
     plan_.reason = "the best of " + std::to_string(plan_.complete_futures) +
-                   " complete futures scores " + Apart(score, threshold, kDigits) +
-                   ", below the threshold of " + Apart(threshold, score, kDigits) +
+                   " complete futures scores " + base::Apart(score, threshold, kDigits) +
+                   ", below the threshold of " + base::Apart(threshold, score, kDigits) +
                    After("; others: ", tally);
     return;
   }

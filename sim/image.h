@@ -11,6 +11,8 @@ struct Image {
   int width = 0;                  // pixels
   int height = 0;                 // pixels
   std::vector<std::uint8_t> rgb;  // height * width * 3 values
+
+  bool empty() const { return width == 0; }
 };
 
 }  // namespace prospect::sim

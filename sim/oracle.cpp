@@ -4,8 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "base/random.h"
 #include "sim/plan_rules.h"
-#include "sim/random.h"
 #include "sim/rollout.h"
 
 namespace prospect::sim {
@@ -107,7 +107,7 @@ void RunBest(Task& task, const TaskState& start, std::uint64_t scene_seed, int r
              const Reached& reached, OracleResult* result) {
   result->best_runs = runs;
   for (int i = 0; i < runs; ++i) {
-    task.SetNoiseSeed(MixSeeds({scene_seed, kBestStream, static_cast<std::uint64_t>(i)}));
+    task.SetNoiseSeed(base::MixSeeds({scene_seed, kBestStream, static_cast<std::uint64_t>(i)}));
     const RolloutResult run = RunPlan(task, result->best_plan, nullptr);
     result->best_successes += run.outcome == Outcome::kSuccess && reached(task);
     task.Restore(start);
@@ -158,7 +158,8 @@ OracleResult ConsultOracle(Task& task, std::uint64_t scene_seed, const OracleOpt
   const bool ordered = !rules.tower.empty() && !options.begin_anew && task.progress().segment < 0;
   if (ordered) rules.Prepare();
   for (int round = 0; round < options.rounds; ++round) {
-    task.SetNoiseSeed(MixSeeds({scene_seed, kRoundStream, static_cast<std::uint64_t>(round)}));
+    task.SetNoiseSeed(
+        base::MixSeeds({scene_seed, kRoundStream, static_cast<std::uint64_t>(round)}));
     Round(task, options.begin_anew, ordered ? &rules : nullptr, &successes, &result.failures)
         .Explore();
     task.Restore(*start);

@@ -15,11 +15,11 @@ constexpr double kRetryTrials = 0.22;  // of which many end before a retry is po
 
 RandomPlan::RandomPlan(planner::TaskRules rules, std::uint64_t trial_seed, bool retries)
     : rules_(std::move(rules)),
-      random_(MixSeeds({trial_seed, kPlanStream})),
+      random_(base::MixSeeds({trial_seed, kPlanStream})),
       last_(rules_.num_actions),
       attempt_{{}, rules_.plan_length},
-      wants_retry_(retries &&
-                   Random(MixSeeds({trial_seed, kRetryStream})).Uniform() < kRetryTrials) {
+      wants_retry_(retries && base::Random(base::MixSeeds({trial_seed, kRetryStream})).Uniform() <
+                                  kRetryTrials) {
   if (!rules_.tower.empty()) rules_.Prepare();
 }
 

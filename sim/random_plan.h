@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/random.h"
 #include "planner/attempts.h"
 #include "planner/task_rules.h"
-#include "sim/random.h"
 #include "sim/task.h"
 
 namespace prospect::sim {
@@ -35,7 +35,7 @@ class RandomPlan {
   std::vector<int> Offered(const std::vector<int>& legal);
 
   planner::TaskRules rules_;
-  Random random_;
+  base::Random random_;
   int last_;                  // action chosen before
   planner::Attempt attempt_;  // what of those chosen before counts; kept where a tower is built
   bool wants_retry_ = false;  // and has not had it

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 
 namespace prospect::sim {
 
@@ -31,7 +31,7 @@ std::uint64_t TaskSpec::Hash() const {
     for (int next : row) text << next << ' ';
     text << '\n';
   }
-  return Fnv1a(text.str());
+  return base::HashText(text.str());
 }
 
 const char* ToString(ActionState state) {

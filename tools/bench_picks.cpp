@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/json_file.h"
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/rollout.h"
 #include "sim/stacking/action_table.h"
 #include "sim/stacking/stacking_task.h"
@@ -90,7 +90,7 @@ std::optional<Pair> ClearPair(const sim::StackingScene& scene, std::uint64_t see
     }
   }
   if (pairs.empty()) return std::nullopt;
-  sim::Random random(sim::MixSeeds({seed, kPairStream}));
+  base::Random random(base::MixSeeds({seed, kPairStream}));
   return pairs[random.Below(static_cast<int>(pairs.size()))];
 }
 

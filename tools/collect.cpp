@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/json_file.h"
 #include "model/dataset.h"
@@ -38,6 +39,10 @@ void AddSceneOptions(CLI::App* app, tools::CollectOptions* options) {
       ->check(CLI::ExistingFile);
 }
 
+// Trials as videos: report/ writes them, and a build for machines that only train lacks it.
+#ifdef PROSPECT_VIDEOS
+const std::vector<std::string> kFormats = {"hdf5", "jigsaws"};
+
 void AddVideoOptions(CLI::App* app, tools::GestureVideoOptions* options) {
   app->add_option("--fps", options->frames_per_second,
                   "jigsaws: frames a second, a divisor of 30 (JIGSAWS has 30)")
@@ -55,13 +60,50 @@ void AddVideoOptions(CLI::App* app, tools::GestureVideoOptions* options) {
                 "as JIGSAWS has none");
 }
 
+int RunVideos(const CLI::App& app, const Options& all) {
+  const tools::CollectOptions& options = all.collect;
+  if (options.task != "suturing") {
+    throw tools::CollectUsageError("--format jigsaws is for --task suturing");
+  }
+  tools::GestureVideoOptions videos = all.videos;
+  if (app.count("--trials") > 0) videos.trials = options.trials;
+  videos.seed = options.seed;
+  videos.out = options.out;
+  videos.image_noise = options.image_noise;
+  videos.jobs = options.jobs;
+  videos.resume = options.resume;
+  const tools::GestureVideoSummary summary = tools::CollectGestureVideos(videos);
+  const std::string done = videos.failures ? "failed" : "failed and were done again";
+  int failed = 0;
+  for (const auto& [reason, count] : summary.failures) failed += count;
+  std::printf("%d SIMULATED trials (%d kept from before), %lld frames in %s/Suturing\n",
+              summary.trials, summary.kept, static_cast<long long>(summary.frames),
+              videos.out.c_str());
+  std::printf("%d trials %s\n", failed, done.c_str());
+  tools::PrintCauses(summary.failures, summary.trials, stdout);
+  std::printf("%.0f s of video in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
+  if (all.json_file.empty()) return 0;
+  base::WriteJsonFile(all.json_file, {{"task", options.task},
+                                      {"trials", summary.trials},
+                                      {"kept", summary.kept},
+                                      {"reasons", summary.failures},
+                                      {"frames", summary.frames},
+                                      {"simulated_seconds", summary.simulated_seconds},
+                                      {"wall_seconds", summary.wall_seconds},
+                                      {"out", videos.out}});
+  return 0;
+}
+#else
+const std::vector<std::string> kFormats = {"hdf5"};
+#endif
+
 void AddOptions(CLI::App* app, Options* all) {
   tools::CollectOptions* options = &all->collect;
   app->add_option("--task", options->task, "The task")->capture_default_str();
   app->add_option("--format", all->format,
                   "hdf5: a data set; jigsaws: SIMULATED suturing videos and transcriptions in the "
                   "layout of JIGSAWS")
-      ->check(CLI::IsMember({"hdf5", "jigsaws"}))
+      ->check(CLI::IsMember(kFormats))
       ->capture_default_str();
   app->add_option("--trials", options->trials, "Number of trials (jigsaws: 1 to 39, default 39)")
       ->check(CLI::Range(1, 1'000'000))
@@ -80,7 +122,9 @@ void AddOptions(CLI::App* app, Options* all) {
                   "a share of full range")
       ->check(CLI::Range(0.0, 0.25))
       ->capture_default_str();
+#ifdef PROSPECT_VIDEOS
   AddVideoOptions(app, &all->videos);
+#endif
   app->add_flag("--resume", options->resume, "Go on with the trials that an earlier run left");
   app->add_flag("--keep-parts", options->keep_parts, "Keep the files of single trials");
   app->add_option("--json", all->json_file, "Write the figures to this file, too");
@@ -117,40 +161,6 @@ int Run(const tools::CollectOptions& options, const std::string& json_file) {
   return 0;
 }
 
-int RunVideos(const CLI::App& app, const Options& all) {
-  const tools::CollectOptions& options = all.collect;
-  if (options.task != "suturing") {
-    throw tools::CollectUsageError("--format jigsaws is for --task suturing");
-  }
-  tools::GestureVideoOptions videos = all.videos;
-  if (app.count("--trials") > 0) videos.trials = options.trials;
-  videos.seed = options.seed;
-  videos.out = options.out;
-  videos.image_noise = options.image_noise;
-  videos.jobs = options.jobs;
-  videos.resume = options.resume;
-  const tools::GestureVideoSummary summary = tools::CollectGestureVideos(videos);
-  const std::string done = videos.failures ? "failed" : "failed and were done again";
-  int failed = 0;
-  for (const auto& [reason, count] : summary.failures) failed += count;
-  std::printf("%d SIMULATED trials (%d kept from before), %lld frames in %s/Suturing\n",
-              summary.trials, summary.kept, static_cast<long long>(summary.frames),
-              videos.out.c_str());
-  std::printf("%d trials %s\n", failed, done.c_str());
-  tools::PrintCauses(summary.failures, summary.trials, stdout);
-  std::printf("%.0f s of video in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
-  if (all.json_file.empty()) return 0;
-  base::WriteJsonFile(all.json_file, {{"task", options.task},
-                                      {"trials", summary.trials},
-                                      {"kept", summary.kept},
-                                      {"reasons", summary.failures},
-                                      {"frames", summary.frames},
-                                      {"simulated_seconds", summary.simulated_seconds},
-                                      {"wall_seconds", summary.wall_seconds},
-                                      {"out", videos.out}});
-  return 0;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -158,7 +168,9 @@ int main(int argc, char** argv) {
   Options options;
   AddOptions(&app, &options);
   return tools::RunProgram("prospect-collect", &app, argc, argv, [&] {
+#ifdef PROSPECT_VIDEOS
     if (options.format == "jigsaws") return RunVideos(app, options);
+#endif
     return Run(options.collect, options.json_file);
   });
 }

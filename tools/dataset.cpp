@@ -14,7 +14,7 @@
 #include "base/child_process.h"
 #include "base/json_file.h"
 #include "model/dataset.h"
-#include "sim/png.h"
+#include "report/png.h"
 #include "tools/common/program.h"
 #include "tools/dataset/info.h"
 #include "tools/dataset/sheet.h"
@@ -66,7 +66,7 @@ int Pack(const std::vector<std::string>& inputs, const std::string& out, const s
 
 int WriteSheet(const std::string& path, const std::string& out, std::size_t rows,
                std::uint64_t seed) {
-  sim::WritePng(out, tools::ContactSheet(model::TrialFile(path), rows, seed));
+  report::WritePng(out, tools::ContactSheet(model::TrialFile(path), rows, seed));
   std::printf("%s: a trial a row, the first picture of each action, and the last\n", out.c_str());
   return 0;
 }

@@ -5,7 +5,7 @@ add_library(prospect_crew_search STATIC ${CMAKE_CURRENT_SOURCE_DIR}/evaluate/cre
 prospect_target(prospect_crew_search)
 target_link_libraries(prospect_crew_search PUBLIC prospect_planner)
 
-if(NOT TARGET prospect_sim OR NOT TARGET prospect_training OR NOT TARGET prospect_planner)
+if(NOT TARGET prospect_sim OR NOT TARGET prospect_training OR NOT TARGET prospect_film)
   return()
 endif()
 set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
@@ -15,7 +15,7 @@ add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/d
   ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/scene_video.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulator_model.cpp)
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_sim prospect_model prospect_training prospect_planner prospect_crew_search
-  prospect_tools_common prospect_torch_main prospect_view_lib)
+  prospect_tools_common prospect_torch_main prospect_film)
 add_executable(prospect-evaluate ${evaluate}/main.cpp)
 prospect_target(prospect-evaluate)
 target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_engine)

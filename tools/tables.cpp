@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "base/lock.h"
 #include "base/stop_signals.h"
-#include "model/hash.h"
 #include "model/training/export.h"
 #include "model/training/variants.h"
 #include "model/weights.h"
@@ -146,7 +146,7 @@ class Tables {
                                 a_.data.every,
                                 a_.data.trials,
                                 a_.data.paper_tail};
-    return model::HexText(model::HashText(key.dump()));
+    return base::HexText(base::HashText(key.dump()));
   }
 
   std::vector<Row> RowsOf(const std::string& what, const std::string& weights,

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/json_file.h"
+#include "base/random.h"
 #include "sim/plan_rules.h"
-#include "sim/random.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
 #include "sim/suturing/gestures.h"
@@ -85,7 +85,7 @@ class Takes {
   }
 
   // As trials are made: a surgeon's order of gestures, else uniform among what is legal.
-  int Choose(const std::vector<int>& legal, int last, sim::RandomPlan* plan, sim::Random* random) {
+  int Choose(const std::vector<int>& legal, int last, sim::RandomPlan* plan, base::Random* random) {
     if (suturing_ == nullptr) return plan->Choose(legal);
     const int before = last < 0 ? sim::kGestures : last;
     return sim::ChooseGesture(before, legal, suturing_->AllThrown(), random);
@@ -95,7 +95,7 @@ class Takes {
   void RunScene(std::uint64_t seed) {
     task_->Reset(seed);
     sim::RandomPlan plan(sim::PlanRules(task_->spec()), seed, /*retries=*/false);
-    sim::Random random(seed);
+    base::Random random(seed);
     std::unique_ptr<sim::TaskState> before;  // the state before `last`
     int last = -1;
     for (int k = 0; k < options_.most_actions; ++k) {
@@ -103,7 +103,7 @@ class Takes {
       if (legal.empty()) return;
       std::unique_ptr<sim::TaskState> state = task_->Save();
       const int action = Choose(legal, last, &plan, &random);
-      if (before) Compare(*before, {last, action}, sim::MixSeeds({seed, 2U * k}));
+      if (before) Compare(*before, {last, action}, base::MixSeeds({seed, 2U * k}));
       task_->Restore(*state);
       if (!sim::RunAction(*task_, action, nullptr)) return;
       if (task_->progress().action_state != sim::ActionState::kSucceeded) return;

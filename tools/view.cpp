@@ -13,15 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/png.h"
+#include "report/people_view.h"
+#include "report/png.h"
+#include "report/video_writer.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
 #include "tools/common/program.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
 #include "tools/view/episode_file.h"
-#include "tools/view/people_view.h"
-#include "tools/view/video.h"
 
 namespace {
 
@@ -81,7 +81,7 @@ void ReadSize(Options* options) {
 }
 
 sim::Image Take(sim::Task& task, const Options& options) {
-  return tools::PeoplesView(task, options.camera, options.width, options.height);
+  return report::PeoplesView(task, options.camera, options.width, options.height);
 }
 
 // A picture of every tick, as numbered files and as a video.
@@ -92,8 +92,8 @@ class FrameWriter : public sim::FrameSink {
     const int actions = static_cast<int>(options.actions.size());
     if (actions > 0) bar_ = std::make_unique<tools::Progress>("actions shown", actions);
     if (options.video.empty()) return;
-    video_ = std::make_unique<tools::Video>(options.video, 1 / task->spec().tick_seconds,
-                                            options.width, options.height);
+    video_ = std::make_unique<report::VideoWriter>(options.video, 1 / task->spec().tick_seconds,
+                                                   options.width, options.height);
   }
 
   void OnFrame(const sim::Image&, const sim::Progress& progress) override {
@@ -105,7 +105,7 @@ class FrameWriter : public sim::FrameSink {
     if (options_.frames.empty()) return;
     char name[32];
     std::snprintf(name, sizeof name, "/%05d.png", count_++);
-    sim::WritePng(options_.frames + name, picture);
+    report::WritePng(options_.frames + name, picture);
   }
 
   void Finish() {
@@ -116,7 +116,7 @@ class FrameWriter : public sim::FrameSink {
  private:
   sim::Task* task_;
   const Options& options_;
-  std::unique_ptr<tools::Video> video_;
+  std::unique_ptr<report::VideoWriter> video_;
   std::unique_ptr<tools::Progress> bar_;
   int count_ = 0;
 };
@@ -149,7 +149,7 @@ int Run(const Options& options) {
                                 std::to_string(options.actions[result.actions_done]) +
                                 " may not follow there");
   }
-  if (!options.out.empty()) sim::WritePng(options.out, Take(*task, options));
+  if (!options.out.empty()) report::WritePng(options.out, Take(*task, options));
   const sim::Progress progress = task->progress();
   std::printf("%s, scene %llu, %.1f s: %s %s\n", options.task.c_str(),
               static_cast<unsigned long long>(options.seed), progress.time,

@@ -81,7 +81,9 @@ void DefineEpisode(CLI::App& app, EpisodeOptions& options) {
       ->type_name("GOAL")
       ->check(Goal())
       ->default_str("the task's own");
-  app.add_option("--out", options.out, "folder of results")->type_name("DIR");
+  app.add_option("--out", options.out, "folder of results")
+      ->type_name("DIR")
+      ->envname("PROSPECT_OUT");
   app.add_flag("-v,--verbose", options.verbose, "log each search");
   DefineReport(app, options.report);
   DefineWorkers(app, options.workers);

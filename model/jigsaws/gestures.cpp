@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model::jigsaws {
 namespace {
@@ -58,9 +58,10 @@ bool IsGestureTask(const std::string& task) {
 }
 
 std::string GestureTableHash() {
-  std::uint64_t hash = HashText("gestures-1");
-  for (int action = 0; action < kGestures; ++action) hash = HashText(GestureName(action), hash);
-  return HexText(hash);
+  std::uint64_t hash = base::HashText("gestures-1");
+  for (int action = 0; action < kGestures; ++action)
+    hash = base::HashText(GestureName(action), hash);
+  return base::HexText(hash);
 }
 
 }  // namespace prospect::model::jigsaws

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model::jigsaws {
 namespace {
@@ -18,7 +18,7 @@ void MoveByHash(const std::vector<TrialName>& trials, int count, Split to,
   std::vector<std::pair<std::uint64_t, std::uint64_t>> order;
   for (const TrialName& trial : trials) {
     if (parts->at(trial.seed()) != Split::kTrain) continue;
-    order.emplace_back(Mix64(HashText(trial.text)), trial.seed());
+    order.emplace_back(base::Mix64(base::HashText(trial.text)), trial.seed());
   }
   std::sort(order.begin(), order.end());
   for (std::size_t i = 0; i < order.size() && i < static_cast<std::size_t>(count); ++i) {

@@ -3,25 +3,15 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/number_format.h"
 #include "model/refusal/risk_coverage.h"
 
 namespace prospect::model {
 namespace {
 
-constexpr int kScoreDigits = 3, kMostDigits = 6;
+constexpr int kScoreDigits = 3;
 
-std::string Fixed(double x, int digits = kScoreDigits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, x);
-  return text;
-}
-
-// With as many decimals as it takes to tell the two apart.
-std::string Apart(double x, double other) {
-  int digits = kScoreDigits;
-  while (digits < kMostDigits && x != other && Fixed(x, digits) == Fixed(other, digits)) ++digits;
-  return Fixed(x, digits);
-}
+std::string Score(double x) { return base::Fixed(x, kScoreDigits); }
 
 std::string Of(int count, int scenes, const char* what) {
   return std::to_string(count) + " of " + std::to_string(scenes) + " " + what;
@@ -32,7 +22,7 @@ std::string RefuseWords(const ThresholdBound& bound, double alpha) {
       "To refuse at most " + PercentText(alpha) + " of what can be done cannot be promised: ";
   if (bound.kept) {
     return "Refuses at most " + PercentText(alpha) + " of what can be done: the threshold " +
-           Fixed(bound.value) + " refuses " + Of(bound.count, bound.scenes, "solvable") +
+           Score(bound.value) + " refuses " + Of(bound.count, bound.scenes, "solvable") +
            " calibration scenes.";
   }
   if (bound.count > 0 || alpha * (bound.scenes + 1) >= 1)
@@ -46,7 +36,7 @@ std::string FailWords(const ThresholdBound& bound, const Promise& promise) {
   const std::string what = PercentText(*promise.fail_at_most) + " of what is attempted";
   const std::string sure = " (with confidence " + PercentText(1 - promise.delta) + ")";
   if (bound.kept) {
-    return "Fails at most " + what + sure + ": at threshold " + Fixed(bound.value) + " " +
+    return "Fails at most " + what + sure + ": at threshold " + Score(bound.value) + " " +
            Of(bound.count, bound.scenes, "attempted") + " calibration scenes failed.";
   }
   return "To fail at most " + what + " cannot be promised" + sure +
@@ -56,8 +46,9 @@ std::string FailWords(const ThresholdBound& bound, const Promise& promise) {
 std::string NotBothWords(const CalibrationSample& sample, const PromisedThreshold& t) {
   const int solvable = CountOf(sample, SceneClass::kSolvable);
   return "Both cannot be had: the first takes a threshold of at most " +
-         Apart(t.refuse.value, t.fail.value) + ", the second of at least " +
-         Apart(t.fail.value, t.refuse.value) + ". The second holds, which refuses " +
+         base::Apart(t.refuse.value, t.fail.value, kScoreDigits) + ", the second of at least " +
+         base::Apart(t.fail.value, t.refuse.value, kScoreDigits) +
+         ". The second holds, which refuses " +
          Of(EffectOf(sample, t.value).refused_solvable, solvable, "solvable calibration scenes") +
          ".";
 }
@@ -86,11 +77,7 @@ std::string CurveRow(const CalibrationSample& sample, const ThresholdEffect& eff
 
 }  // namespace
 
-std::string PercentText(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-  return text;
-}
+std::string PercentText(double share) { return base::Number("%.3g %%", 100 * share); }
 
 PromisedThreshold ThresholdFor(const CalibrationSample& sample, const Promise& promise) {
   PromisedThreshold t;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::model {
 
@@ -12,7 +12,7 @@ int ShardSize(int batch, int shard, int shards) {
 
 CounterRandom BatchRandom(const TrainConfig& config, const std::string& stage,
                           std::int64_t iteration, int shard) {
-  return CounterRandom(config.seed, HashText(stage + "/batch"),
+  return CounterRandom(config.seed, base::HashText(stage + "/batch"),
                        static_cast<std::uint64_t>(iteration * 64 + shard));
 }
 

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <mutex>
 
+#include "base/sensor_noise.h"
 #include "model/training/parallel.h"
 #include "model/training/views.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::model {
 namespace {
@@ -28,7 +28,7 @@ void ReadTrialFrames(const TrialFile& file, const SampleSet& set, std::size_t fi
   file.ReadFrames(trial.index, frames, out);
   const double sigma = file.ReadLabels(trial.index).image_noise;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    sim::AddSensorNoise(out + k * FrameBytes(set), FrameBytes(set), trial.seed, frames[k], sigma);
+    base::AddSensorNoise(out + k * FrameBytes(set), FrameBytes(set), trial.seed, frames[k], sigma);
   }
 }
 

@@ -12,8 +12,9 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/hash.h"
 #include "base/line_file.h"
-#include "model/hash.h"
+#include "base/seconds_since.h"
 #include "model/networks/blocks.h"
 #include "model/networks/precision.h"
 #include "model/training/parallel.h"
@@ -239,7 +240,7 @@ class Stepper {
 
  private:
   ShardResult Shard(std::int64_t iteration, int shard) {
-    CounterRandom random(run_.seed, HashText(stage_->name() + "/dropout"),
+    CounterRandom random(run_.seed, base::HashText(stage_->name() + "/dropout"),
                          static_cast<std::uint64_t>(iteration * 64 + shard));
     const std::uint64_t seed = random.Next();
     SeedDropout(seed);
@@ -299,10 +300,6 @@ void SetMode(const Stage& stage, bool training) {
   for (const auto& [name, module] : stage.modules()) module->train(training);
 }
 
-double SecondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 /// From what is stored to the end. Not finished if stop_after ended it early.
 StageOutcome Train(Stage* stage, const StageRun& run, const StageFile& file, Stepper* stepper,
                    const Stored& stored) {
@@ -312,7 +309,7 @@ StageOutcome Train(Stage* stage, const StageRun& run, const StageFile& file, Ste
   ProgressLine progress(stage->name(), first);
   Means means;
   const Clock::time_point begin = Clock::now();
-  const auto seconds = [&] { return stored.seconds + SecondsSince(begin); };
+  const auto seconds = [&] { return stored.seconds + base::SecondsSince(begin); };
   Clock::time_point saved = begin;
   for (std::int64_t i = first; i < total; ++i) {
     if (run.stop_after >= 0 && i >= run.stop_after) return {false, seconds()};
@@ -322,7 +319,7 @@ StageOutcome Train(Stage* stage, const StageRun& run, const StageFile& file, Ste
     curves.Write(i + 1, row);
     if (!run.quiet) progress.Show(i + 1, total, NoteOf(row));
     // Only here, so that the averages of the curves need not be stored.
-    if (SecondsSince(saved) >= run.checkpoint_seconds) {
+    if (base::SecondsSince(saved) >= run.checkpoint_seconds) {
       file.Save(file.checkpoint(), i + 1, seconds());
       saved = Clock::now();
     }

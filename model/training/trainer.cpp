@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/atomic_file.h"
-#include "model/hash.h"
+#include "base/hash.h"
 #include "model/training/export.h"
 #include "model/training/heads_stage.h"
 #include "model/training/picture_stages.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 /// Only what a result depends on goes into its key, so that changing the heads does not train the
 /// encoder anew.
-std::string KeyOf(const json& inputs) { return HexText(HashText(inputs.dump())); }
+std::string KeyOf(const json& inputs) { return base::HexText(base::HashText(inputs.dump())); }
 
 json PictureNetwork(const NetworkConfig& c) {
   return {c.image_width, c.image_height, c.hidden_channels, c.dropout, c.activation};
@@ -179,7 +179,7 @@ void LoadNetwork(const std::string& weights, const NetworkConfig& config, const 
 /// Hash of the classifiers' file beside a weights file; empty if there is none.
 std::string ClassifiersHash(const std::string& weights) {
   const std::string beside = ClassifiersPath(weights);
-  return fs::exists(beside) ? HexText(WeightsFileHash(beside)) : "";
+  return fs::exists(beside) ? base::HexText(WeightsFileHash(beside)) : "";
 }
 
 ProgressFn ProgressOf(const std::string& what) {
@@ -229,7 +229,7 @@ struct Trainer::Impl {
     context.networks.has_heads = TrainsHeads(c, samples, o);
     context.mean_picture = pictures.Mean(samples.FramesOf(Split::kTrain)).to(context.device);
     if (!o.from.empty()) {
-      from_hash = HexText(WeightsFileHash(o.from));
+      from_hash = base::HexText(WeightsFileHash(o.from));
       from_classifiers = ClassifiersHash(o.from);
     }
   }
@@ -259,7 +259,7 @@ struct Trainer::Impl {
   }
 
   void InitialiseFresh(const std::string& prefix, torch::nn::Module* module) const {
-    torch::manual_seed(Mix64(config.seed ^ HashText(prefix)));
+    torch::manual_seed(base::Mix64(config.seed ^ base::HashText(prefix)));
     module->to(torch::kCPU);
     InitialiseGlorot(module);
     module->to(context.device);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/hash.h"
 #include "model/training/adversary.h"
 #include "model/training/batches.h"
 
@@ -172,7 +173,7 @@ class TransformImageStage : public TransformStage {
   }
 
   void MakeAdversary() {
-    torch::manual_seed(Mix64(context_.config.seed ^ HashText("judge")));
+    torch::manual_seed(base::Mix64(context_.config.seed ^ base::HashText("judge")));
     adversary_ = std::make_unique<Adversary>(context_.config);
     adversary_->judge()->to(context_.device);
   }

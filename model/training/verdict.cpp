@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/number_format.h"
+
 namespace prospect::model {
 namespace {
 
@@ -17,18 +19,12 @@ struct Line {
   bool better = false;
 };
 
-std::string Format(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 // Of a network that tells two kinds of cases apart; guessing has a balanced accuracy of 1/2.
 Line HeadLine(const std::string& what, const json& s) {
   const double right = s.at("balanced_accuracy"), brier = s.at("brier");
   const double trivial = s.at("trivial_brier"), rate = s.at("base_rate");
   const double samples = s.at("samples");
-  Line line{what, Format("%.1f %% right", 100 * right), "50 %", "", false};
+  Line line{what, base::Number("%.1f %% right", 100 * right), "50 %", "", false};
   if (samples < 1 || rate <= 0 || rate >= 1) {
     line.found = "-";
     line.words = "cannot be told: the test trials hold one kind of case only";
@@ -42,11 +38,11 @@ Line HeadLine(const std::string& what, const json& s) {
     line.words = right < 0.5 - kSurely * error ? "WORSE than guessing" : "NOT better than guessing";
   } else if (brier >= trivial) {
     line.words = "better than guessing, but its numbers are not: always saying " +
-                 Format("%.2f", rate) + " is as close";
+                 base::Number("%.2f", rate) + " is as close";
   } else {
     line.words = "better than guessing; its numbers are " +
-                 Format("%.0f %% closer", 100 * (1 - brier / trivial)) + " than always saying " +
-                 Format("%.2f", rate);
+                 base::Number("%.0f %% closer", 100 * (1 - brier / trivial)) +
+                 " than always saying " + base::Number("%.2f", rate);
   }
   return line;
 }
@@ -54,8 +50,9 @@ Line HeadLine(const std::string& what, const json& s) {
 // Of imagined pictures: mean absolute error on the pixels that the action changes.
 Line PictureLine(const std::string& what, const json& s) {
   const double error = s.at("mae_changed"), copying = s.at("copy_mae_changed");
-  Line line{what, Format("error %.3f", error), Format("%.3f", copying), "", error < copying};
-  line.words = line.better ? Format("%.0f %% less", 100 * (1 - error / copying)) +
+  Line line{what, base::Number("error %.3f", error), base::Number("%.3f", copying), "",
+            error < copying};
+  line.words = line.better ? base::Number("%.0f %% less", 100 * (1 - error / copying)) +
                                  " than an unchanged picture"
                            : "NOT better than an unchanged picture";
   return line;

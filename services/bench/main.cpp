@@ -12,9 +12,9 @@
 #include "base/json_file.h"
 #include "base/run_main.h"
 #include "planner/selection_rule.h"
+#include "report/scaling_plot.h"
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_loop.h"
-#include "services/bench/plot.h"
 #include "services/bench/search_bench.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
@@ -156,9 +156,9 @@ void WriteFiles(const Options& options, const json& rows) {
   if (!options.json_file.empty()) prospect::base::WriteJsonFile(options.json_file, report);
   if (!options.csv_file.empty()) WriteCsv(options.csv_file, rows);
   if (!options.plot_file.empty()) {
-    WritePlot(options.plot_file, rows,
-              bench.weights + ", batch " + bench.fixed_cost + " ms, up to " +
-                  std::to_string(bench.max_batch));
+    prospect::report::WriteScalingPlot(options.plot_file, rows,
+                                       bench.weights + ", batch " + bench.fixed_cost +
+                                           " ms, up to " + std::to_string(bench.max_batch));
   }
 }
 

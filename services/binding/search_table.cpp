@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/hash.h"
+
 namespace prospect::services {
 namespace {
 
@@ -45,10 +47,6 @@ std::string TableText(const planner::Search& search) {
   return text;
 }
 
-std::uint64_t TableHash(const planner::Search& search) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (const unsigned char c : TableText(search)) hash = (hash ^ c) * 0x100000001b3ULL;
-  return hash;
-}
+std::uint64_t TableHash(const planner::Search& search) { return base::HashText(TableText(search)); }
 
 }  // namespace prospect::services

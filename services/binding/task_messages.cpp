@@ -6,18 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.h"
 #include "planner/attempts.h"
 #include "planner/tower.h"
 #include "services/binding/search_messages.h"
 
 namespace prospect::services {
 namespace {
-
-std::uint64_t Fnv1a(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3ULL;
-  return hash;
-}
 
 void Append(const std::vector<std::int32_t>& indices, std::string* text) {
   for (const auto index : indices) *text += std::to_string(index) + ',';
@@ -57,7 +52,7 @@ std::int64_t TaskHash(const task_t& task) {
   text += std::to_string(task.plan_length) + '|' + std::to_string(task.repeats_allowed) + '|';
   text += std::to_string(task.image_width) + 'x' + std::to_string(task.image_height) + '|';
   text += std::to_string(task.tick_seconds) + '|' + std::to_string(task.action_time_limit);
-  return static_cast<std::int64_t>(Fnv1a(text));
+  return static_cast<std::int64_t>(base::HashText(text));
 }
 
 planner::TaskRules RulesFromTask(const task_t& task) {

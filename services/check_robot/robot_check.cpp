@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/number_format.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
 #include "services/common/robot_hold.h"
@@ -14,12 +15,6 @@ namespace prospect::services {
 namespace {
 
 constexpr double kNoticeSeconds = 3;
-
-std::string Number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 // What is wrong with an action table; empty: nothing.
 std::string TableDefect(const task_t& task) {
@@ -130,7 +125,7 @@ void RobotCheck::CheckStillness() {
     gap_ms = std::max(i == 1 ? 0 : gap_ms, status_ms_[i] - status_ms_[i - 1]);
   }
   Note("ACTION_STATUS comes at 2 Hz", status_ms_.size() >= 2 && gap_ms <= 800,
-       "longest gap " + Number(static_cast<double>(gap_ms) / 1000) + " s");
+       "longest gap " + base::Fixed(static_cast<double>(gap_ms) / 1000, 2) + " s");
   if (pictures_.empty()) return;
   const observation_t& picture = pictures_.back();
   Note("pictures are of the size that TASK says",
@@ -254,8 +249,9 @@ void RobotCheck::CheckAction() {
   if (!pictures_.empty()) {
     took = static_cast<double>(pictures_.back().sim_time_us - pictures_.front().sim_time_us) / 1e6;
   }
-  Note("an action ends within action_time_limit", ended && took <= task_->action_time_limit + 1,
-       task_->actions[static_cast<std::size_t>(willing_)].name + ", " + Number(took) + " s");
+  Note(
+      "an action ends within action_time_limit", ended && took <= task_->action_time_limit + 1,
+      task_->actions[static_cast<std::size_t>(willing_)].name + ", " + base::Fixed(took, 2) + " s");
   bool in_order = true, paced = true;
   for (std::size_t i = 1; i < pictures_.size(); ++i) {
     const auto step = pictures_[i].frame - pictures_[i - 1].frame;
@@ -269,7 +265,7 @@ void RobotCheck::CheckAction() {
   }
   Note("frame numbers grow one by one", in_order, std::to_string(pictures_.size()) + " pictures");
   Note("pictures of an action come one a tick", paced,
-       "a tick is " + Number(task_->tick_seconds) + " s");
+       "a tick is " + base::Fixed(task_->tick_seconds, 2) + " s");
 }
 
 // Whether a START of another executive is refused, with a reason.
@@ -327,7 +323,7 @@ void RobotCheck::CheckSilence() {
     const double seconds = static_cast<double>(SteadyMs() - start_ms) / 1000;
     silent_ = false;
     if (stopped && status_->state != action_status_t::STATE_CANCELLED) continue;
-    return Note(rule, stopped, "after " + Number(seconds) + " s");
+    return Note(rule, stopped, "after " + base::Fixed(seconds, 2) + " s");
   }
   NotTried(rule, "no action lasts so long");
 }

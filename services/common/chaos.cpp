@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/random.h"
+#include "base/random.h"
 
 namespace prospect::services {
 namespace {
@@ -12,16 +12,16 @@ constexpr int kMostFlips = 4;
 
 std::uint64_t HashName(const std::string& name) {
   std::uint64_t hash = 0;
-  for (const char c : name) hash = sim::MixSeeds({hash, static_cast<unsigned char>(c)});
+  for (const char c : name) hash = base::MixSeeds({hash, static_cast<unsigned char>(c)});
   return hash;
 }
 
-std::int64_t HoldMs(sim::Random& random) {
+std::int64_t HoldMs(base::Random& random) {
   return 1 + random.Below(static_cast<int>(kLongestHoldMs));
 }
 
 // One in four is cut short, the others get bytes flipped; each changed byte really differs.
-void Corrupt(std::vector<std::uint8_t>& bytes, sim::Random& random) {
+void Corrupt(std::vector<std::uint8_t>& bytes, base::Random& random) {
   if (bytes.empty()) return;
   const auto below = [&](std::size_t n) {
     return static_cast<std::size_t>(random.Below(static_cast<int>(n)));
@@ -49,8 +49,8 @@ const ChaosRule* Chaos::RuleFor(const std::string& channel) const {
 void Chaos::Take(RawMessage message, std::int64_t now_ms) {
   const ChaosRule* rule = RuleFor(message.channel);
   if (!rule) return Hold(std::move(message), now_ms);
-  sim::Random random(
-      sim::MixSeeds({rule->seed, HashName(message.channel), taken_[message.channel]++}));
+  base::Random random(
+      base::MixSeeds({rule->seed, HashName(message.channel), taken_[message.channel]++}));
   // All draws are made whatever comes of them, so that changing one share leaves the others' draws.
   const auto struck = [&](double share, const char* name) {
     if (random.Uniform() >= share) return false;

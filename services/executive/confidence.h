@@ -53,8 +53,4 @@ std::string SuccessSentence(const Confidence& confidence);
 std::vector<std::string> ConfidenceSentences(const std::optional<Confidence>& confidence,
                                              const std::optional<RefusalTerms>& terms);
 
-/// Risk against coverage as an SVG element, with the threshold's place on it; empty for a curve of
-/// fewer than two points.
-std::string RiskChart(const RefusalTerms& terms, double threshold);
-
 }  // namespace prospect::services

@@ -7,8 +7,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/hash.h"
+#include "base/number_format.h"
 #include "model/surprise.h"
-#include "planner/apart.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"
 #include "services/executive/covered.h"
@@ -76,10 +77,10 @@ StepRecord StepFrom(const planner::PlanStep& step, const std::string& name) {
 
 // `surprise`: of what is seen now.
 std::string WhyAnew(const planner::NextStep& next, double surprise) {
-  if (next.surprise == 0) return "going on scored " + Number("%.2f", next.going_on);
+  if (next.surprise == 0) return "going on scored " + base::Number("%.2f", next.going_on);
   const std::string differs =
       next.surprise > surprise ? "an earlier picture differed" : "the picture differs";
-  return "a patch of " + differs + " by " + Number("%.2f", next.surprise) +
+  return "a patch of " + differs + " by " + base::Number("%.2f", next.surprise) +
          " from what was imagined";
 }
 
@@ -89,18 +90,18 @@ std::string WhyNot(const planner::Future& future, double chosen_score) {
   const planner::PlanStep last = future.steps.empty() ? planner::PlanStep{} : future.steps.back();
   switch (future.rejection) {
     case planner::Rejection::kNotPermitted:
-      return "ruled out from the start (p " + Number("%.3f", last.prior) + ")";
+      return "ruled out from the start (p " + base::Number("%.3f", last.prior) + ")";
     case planner::Rejection::kNotDone:
-      return "would not finish (f " + Number("%.2f", last.done) + ")";
+      return "would not finish (f " + base::Number("%.2f", last.done) + ")";
     case planner::Rejection::kLowValue:
-      return "leads to failure (V " + Number("%.2f", last.value) + ")";
+      return "leads to failure (V " + base::Number("%.2f", last.value) + ")";
     case planner::Rejection::kLowScore:
-      return "too unlikely to succeed (score " + Number("%.2f", future.score) + ")";
+      return "too unlikely to succeed (score " + base::Number("%.2f", future.score) + ")";
     case planner::Rejection::kNone:
       break;
   }
-  return "less likely to succeed (score " + planner::Apart(future.score, chosen_score) +
-         " against " + planner::Apart(chosen_score, future.score) + ")";
+  return "less likely to succeed (score " + base::Apart(future.score, chosen_score) + " against " +
+         base::Apart(chosen_score, future.score) + ")";
 }
 
 Episode::Episode(Conversation& talk, const ExecutiveOptions& options, Tell tell)
@@ -174,7 +175,7 @@ void Episode::Prepare() {
   record_.first = PictureOf(first_);
   record_.frames_per_second = task.tick_seconds > 0 ? 1 / task.tick_seconds : 10;
   record_.engine = model_.engine;
-  record_.weights = model_.server_id ? HexText(model_.weights_hash) : "";
+  record_.weights = model_.server_id ? base::HexText(model_.weights_hash) : "";
   if (!talk_.view().label()) return;
   if (!options_.reset) record_.seed = talk_.view().label()->seed;
   const auto& present = talk_.view().label()->present;
@@ -419,7 +420,7 @@ SearchRecord Episode::SearchOnce(const planner::Attempt& attempt, planner::Plan*
   record.requested = answer.requested;
   record.workers = answer.workers;
   record.converged = answer.converged;
-  record.table = HexText(static_cast<std::int64_t>(answer.table));
+  record.table = base::HexText(answer.table);
   record.seconds = answer.seconds;
   record.search_id = session_.root().search_id;
   record.epoch = session_.root().epoch;

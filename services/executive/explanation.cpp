@@ -7,14 +7,14 @@
 #include <tuple>
 #include <utility>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 #include "planner/plan_reader.h"
 
 namespace prospect::services {
 namespace {
 
-using planner::Apart;
-using planner::DigitsApart;
+using base::Apart;
+using base::DigitsApart;
 using planner::Future;
 using planner::Path;
 using planner::Plan;
@@ -24,7 +24,7 @@ using planner::Rejection;
 constexpr int kDigits = 2;
 constexpr int kDigitsOfP = 3;
 
-std::string Fixed(double x, int digits = kDigits) { return planner::Fixed(x, digits); }
+std::string Fixed(double x, int digits = kDigits) { return base::Fixed(x, digits); }
 
 std::string NameOf(int action, const PlanContext& context) {
   const auto index = static_cast<std::size_t>(action);

@@ -2,8 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "services/binding/evaluation_messages.h"
@@ -16,17 +14,6 @@ constexpr std::int64_t kTimeoutMs = 3000;
 constexpr std::int64_t kRepeatMs = 100;
 // Above all request ids of pictures, which are counted from 1.
 constexpr std::int64_t kFirstId = std::int64_t{1} << 40;
-constexpr double kWhite = 0.2;  // share of full range that is drawn white
-
-// The light of `seen` over that of `redrawn`, by least squares.
-double GainOf(const Picture& seen, const Picture& redrawn) {
-  double both = 0, own = 0;
-  for (std::size_t i = 0; i < redrawn.rgb.size(); ++i) {
-    both += static_cast<double>(seen.rgb[i]) * redrawn.rgb[i];
-    own += static_cast<double>(redrawn.rgb[i]) * redrawn.rgb[i];
-  }
-  return own > 0 ? both / own : 1;
-}
 
 }  // namespace
 
@@ -38,21 +25,6 @@ std::string FamiliaritySentence(const Familiarity& familiarity) {
   std::snprintf(text, sizeof text, "The picture is like known ones (p %.2g).",
                 familiarity.novelty.p);
   return text;
-}
-
-Picture DifferenceMap(const Picture& seen, const Picture& redrawn) {
-  if (seen.empty() || seen.width != redrawn.width || seen.height != redrawn.height ||
-      seen.rgb.size() != redrawn.rgb.size())
-    return {};
-  const double gain = std::max(1e-3, GainOf(seen, redrawn));
-  Picture map{seen.width, seen.height, {}};
-  for (std::size_t i = 0; i + 2 < seen.rgb.size(); i += 3) {
-    double sum = 0;
-    for (std::size_t k = i; k < i + 3; ++k) sum += std::abs(seen.rgb[k] / gain - redrawn.rgb[k]);
-    const double share = std::min(1.0, sum / 3 / 255 / kWhite);
-    map.rgb.insert(map.rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
-  }
-  return map;
 }
 
 FamiliarityInbox::FamiliarityInbox(Conversation& talk) : talk_(talk) {

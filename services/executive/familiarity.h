@@ -25,11 +25,6 @@ struct Familiarity {
 /// it.
 std::string FamiliaritySentence(const Familiarity& familiarity);
 
-/// Where the redrawing differs from what was seen, brought to its light: white where it does by a
-/// fifth of full range or more, black where it does not. Empty where either picture is missing or
-/// their sizes differ.
-Picture DifferenceMap(const Picture& seen, const Picture& redrawn);
-
 /// What the model servers answered.
 struct Recognition {
   /// None: the weights hold nothing of known pictures, so that there is nothing to compare with; or

@@ -10,22 +10,23 @@
 #include "base/lock.h"
 #include "base/run_main.h"
 #include "cli/report_file.h"
+#include "report/episode_video.h"
+#include "report/explanation_page.h"
+#include "report/explanation_pictures.h"
+#include "report/plan_picture.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
 #include "services/executive/command_line.h"
 #include "services/executive/conversation.h"
 #include "services/executive/episode.h"
-#include "services/executive/episode_video.h"
-#include "services/executive/explanation_page.h"
-#include "services/executive/explanation_pictures.h"
 #include "services/executive/options.h"
-#include "services/executive/plan_picture.h"
 #include "services/executive/policy.h"
 #include "services/executive/report.h"
 
 namespace {
 
 using namespace prospect;
+using namespace prospect::report;
 using namespace prospect::services;
 
 ExitCode CodeOf(const EpisodeRecord& record) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/hash.h"
 #include "services/common/ids.h"
 
 namespace prospect::services {
@@ -76,7 +77,7 @@ bool Fits(const model_info_t& info, const task_t& task) {
 void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options) {
   if (!Searches(options) || options.workers == 0) return;
   if (info.engine.find(kPicturesOnlyEngine) == std::string::npos) return;
-  throw ExitError(kExitWeights, "weights " + HexText(info.weights_hash) + " for task '" +
+  throw ExitError(kExitWeights, "weights " + base::HexText(info.weights_hash) + " for task '" +
                                     info.task +
                                     "' predict pictures only: they hold no V, Q, p and f to "
                                     "search with; ask ./prospect predict");
@@ -98,12 +99,6 @@ void RequireTask(Conversation& talk, const ExecutiveOptions& options) {
 }
 
 }  // namespace
-
-std::string HexText(std::int64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
-}
 
 void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
   const auto complete = [&] {
@@ -157,13 +152,13 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
     throw ExitError(kExitServiceLost, "no model server is alive: start one with ./prospect up");
   for (const auto& info : live) {
     const bool wanted =
-        options.weights_hash.empty() || HexText(info.weights_hash) == options.weights_hash;
+        options.weights_hash.empty() || base::HexText(info.weights_hash) == options.weights_hash;
     if (!wanted || !Fits(info, *talk.view().task())) continue;
     RequireJudgement(info, options);
     return info;
   }
   throw ExitError(kExitWeights, "no model server holds fitting weights: the first holds " +
-                                    HexText(live.front().weights_hash) + " for task '" +
+                                    base::HexText(live.front().weights_hash) + " for task '" +
                                     live.front().task + "'; start one with --weights for task '" +
                                     talk.view().task()->name + "'");
 }
@@ -172,7 +167,7 @@ const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model
   const auto heard = [&] { return talk.view().calibration(model.weights_hash) != nullptr; };
   if (talk.Until(heard, kCalibrationTimeoutMs)) return *talk.view().calibration(model.weights_hash);
   throw ExitError(kExitWeights,
-                  "weights " + HexText(model.weights_hash) +
+                  "weights " + base::HexText(model.weights_hash) +
                       " carry no calibration sample, so nothing can be promised: make one with "
                       "./prospect evaluate --calibrate");
 }

@@ -37,7 +37,4 @@ const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model
 /// when none comes within 5 s.
 observation_t Look(Conversation& talk, std::int64_t frame);
 
-/// 16 lower-case hexadecimal digits.
-std::string HexText(std::int64_t value);
-
 }  // namespace prospect::services

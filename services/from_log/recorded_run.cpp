@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/hash.h"
+#include "base/hash.h"
 #include "sim/task.h"
 
 namespace prospect::services {
@@ -25,8 +25,7 @@ bool IsOver(const label_t& label) {
 // Of a robot's trial.
 std::uint64_t RecordedNumber(std::int64_t episode_id) {
   const auto id = static_cast<std::uint64_t>(episode_id);
-  return id <= model::kLastRecordedNumber ? id
-                                          : model::Mix64(id) % (model::kLastRecordedNumber + 1);
+  return id <= model::kLastRecordedNumber ? id : base::Mix64(id) % (model::kLastRecordedNumber + 1);
 }
 
 std::vector<int> Widen(const std::vector<std::int32_t>& values) {
@@ -50,7 +49,7 @@ std::string DataSetTaskHash(const task_t& task) {
   spec.tick_seconds = task.tick_seconds;
   spec.action_time_limit = task.action_time_limit;
   spec.repeats_allowed = task.repeats_allowed != 0;
-  return model::HexText(spec.Hash());
+  return base::HexText(spec.Hash());
 }
 
 void RecordedRun::Add(const observation_t& observation) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/hash.h"
+#include "base/hash.h"
 
 namespace prospect::services {
 namespace {
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> ScriptedTreeEngine::PictureOf(std::uint64_t seed) {
   return picture;
 }
 
-std::uint64_t ScriptedTreeEngine::weights_hash() const { return model::HashText(kTask); }
+std::uint64_t ScriptedTreeEngine::weights_hash() const { return base::HashText(kTask); }
 
 model::Hidden ScriptedTreeEngine::DoEncode(model::Pixels picture) {
   State root;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "model/jigsaws/gestures.h"
+#include "report/video_reader.h"
 #include "services/binding/task_messages.h"
-#include "tools/jigsaws/video_frames.h"
 
 namespace prospect::services {
 namespace {
@@ -68,7 +68,7 @@ VideoScene::VideoScene(const VideoChoice& choice, std::int64_t episode_id) : cho
 VideoScene::~VideoScene() = default;
 
 void VideoScene::Restart(std::int64_t episode_id) {
-  video_ = std::make_unique<tools::VideoFrames>(choice_.video);
+  video_ = std::make_unique<report::VideoReader>(choice_.video);
   at_ = 0;
   observation_ = observation_t{};
   observation_.episode_id = episode_id;

@@ -8,8 +8,8 @@
 #include "lcmtypes/messages.h"
 #include "model/jigsaws/transcription.h"
 
-namespace prospect::tools {
-class VideoFrames;
+namespace prospect::report {
+class VideoReader;
 }
 
 namespace prospect::services {
@@ -49,7 +49,7 @@ class VideoScene {
 
   VideoChoice choice_;
   std::optional<model::jigsaws::Transcription> transcription_;
-  std::unique_ptr<tools::VideoFrames> video_;
+  std::unique_ptr<report::VideoReader> video_;
   double seconds_per_frame_ = 0;
   int at_ = 0;  // frames of the video read so far
   task_t task_{};

@@ -8,14 +8,17 @@
 
 #include "base/lock.h"
 #include "base/run_main.h"
+#include "report/futures_sheet.h"
+#include "report/image_edit.h"
+#include "report/png.h"
 #include "services/common/common_options.h"
 #include "services/executive/conversation.h"
-#include "services/predict/futures_picture.h"
 #include "services/predict/prediction.h"
 
 namespace {
 
 using namespace prospect;
+using namespace prospect::report;
 using namespace prospect::services;
 namespace fs = std::filesystem;
 
@@ -77,9 +80,9 @@ void Tell(const FuturesSheet& sheet, const std::string& out) {
 
 void Write(const FuturesSheet& sheet, const std::string& out) {
   try {
-    WritePicture(sheet.seen, out + "/seen.png");
+    WritePng(out + "/seen.png", sheet.seen);
     for (std::size_t i = 0; i < sheet.futures.size(); ++i) {
-      WritePicture(sheet.futures[i].imagined, out + "/" + FileOf(i));
+      WritePng(out + "/" + FileOf(i), sheet.futures[i].imagined);
     }
     WriteFuturesSheet(sheet, out + "/futures.png");
   } catch (const std::exception& error) {

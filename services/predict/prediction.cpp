@@ -67,7 +67,7 @@ class Prediction {
   Prediction(Conversation& talk, const PredictOptions& options)
       : talk_(talk), options_(options), inbox_(talk), watch_(talk) {}
 
-  FuturesSheet Run() {
+  report::FuturesSheet Run() {
     const ExecutiveOptions wanted = ServicesOnly(options_);
     if (options_.seed >= 0) talk_.view().FollowSeed(options_.seed);  // from its first picture on
     AwaitServices(talk_, wanted);
@@ -203,10 +203,10 @@ class Prediction {
     return frame;
   }
 
-  FuturesSheet SheetOf(const std::map<Path, Picture>& pictures,
-                       const std::map<Path, Picture>& truths) const {
+  report::FuturesSheet SheetOf(const std::map<Path, Picture>& pictures,
+                               const std::map<Path, Picture>& truths) const {
     const task_t& task = *view().task();
-    FuturesSheet sheet;
+    report::FuturesSheet sheet;
     sheet.title = "What comes next: " + task.name + " (" + task.world_version + ")";
     sheet.seen = PictureOf(present_);
     for (const Path& path : paths_) {
@@ -242,7 +242,7 @@ class Prediction {
 
 }  // namespace
 
-FuturesSheet Predict(Conversation& talk, const PredictOptions& options) {
+report::FuturesSheet Predict(Conversation& talk, const PredictOptions& options) {
   return Prediction(talk, options).Run();
 }
 

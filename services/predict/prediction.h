@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "report/futures_sheet.h"
 #include "services/executive/conversation.h"
-#include "services/predict/futures_picture.h"
 
 namespace prospect::services {
 
@@ -27,6 +27,6 @@ struct PredictOptions {
 /// Looks at what the bus shows, asks a model server what comes next, and, if asked to, waits for
 /// what really comes. Throws ExitError: kExitServiceLost, kExitWeights, kExitTimeout, kExitUsage on
 /// actions that TASK does not have or allow.
-FuturesSheet Predict(Conversation& talk, const PredictOptions& options);
+report::FuturesSheet Predict(Conversation& talk, const PredictOptions& options);
 
 }  // namespace prospect::services

@@ -2,11 +2,11 @@
 // repeats a worker's searches from its journal.
 
 #include <CLI/CLI.hpp>
-#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/hash.h"
 #include "base/json_file.h"
 #include "base/run_main.h"
 #include "services/binding/search_table.h"
@@ -26,12 +26,6 @@ struct Options {
   std::string log, tables, journal, json_file;
 };
 
-std::string Hex(std::uint64_t number) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, number);
-  return text;
-}
-
 void WriteTable(const std::string& folder, const ReplayedSearch& replayed) {
   std::filesystem::create_directories(folder);
   const std::string path =
@@ -44,7 +38,7 @@ json ReplayBus(const Options& options) {
   for (const auto& replayed : ReplayBusLog(options.log)) {
     const auto& search = replayed.search->search();
     const std::int64_t id = replayed.search->root().search_id;
-    const std::string table = Hex(TableHash(search));
+    const std::string table = base::HexText(TableHash(search));
     std::printf("search %" PRId64 ": %" PRId64 " rollouts, %" PRId64 " evaluations, table %s; %s\n",
                 id, search.total_rollouts(), search.known_evaluations(), table.c_str(),
                 Summary(search.BestPlan(), replayed.task).c_str());
@@ -75,7 +69,7 @@ int ReplayWorker(const Options& options) {
                                                       {"selections", replay.selections},
                                                       {"sent", replay.sent},
                                                       {"differences", replay.differences},
-                                                      {"table", Hex(replay.table)}});
+                                                      {"table", base::HexText(replay.table)}});
   }
   if (replay.differences == 0) return kExitSuccess;
   std::fprintf(stderr, "first: %s\n", replay.first_difference.c_str());

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/sensor_noise.h"
 #include "services/binding/task_messages.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::services {
 namespace {
@@ -134,7 +134,7 @@ void Scene::Tick() {
 
 void Scene::Capture(std::int64_t frame, bool segment_end) {
   sim::Image image = task_->Observe();
-  sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, options_.image_noise);
+  base::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, options_.image_noise);
   const auto progress = task_->progress();
 
   observation_ = observation_t{};

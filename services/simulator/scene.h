@@ -13,7 +13,7 @@ namespace prospect::services {
 /// One episode of a simulated task as the bus sees it: frames are counted from the first picture
 /// after a reset, one a tick, and the latest picture and its label are kept, so that a repeat is
 /// the same picture. The frames of an episode equal those that sim::RunPlan makes for the same seed
-/// and plan, with the sensor noise of sim/sensor_noise.h added.
+/// and plan, with the sensor noise of base/sensor_noise.h added.
 ///
 /// One thread; owns the task. utime of the kept messages is 0: whoever publishes them stamps them.
 class Scene {

@@ -14,7 +14,6 @@
 #include "base/json_file.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
-#include "services/supervisor/child.h"
 
 namespace prospect::services {
 namespace {
@@ -81,9 +80,7 @@ void Supervisor::DrainLogs() {
 
 void Supervisor::Turn() {
   DrainLogs();
-  for (EndedChild ended = ReapChild(); ended.pid >= 0; ended = ReapChild()) {
-    NoteEnd(ended.pid, ended.status);
-  }
+  NoteEnds();
   const std::int64_t now_ms = SteadyMs();
   for (Service& service : services_) {
     if (service.state == State::kWaiting && now_ms >= service.due_ms) Start(&service);
@@ -104,32 +101,35 @@ void Supervisor::Start(Service* service) {
   service->started_ms = SteadyMs();
   ++service->restarts;
   changed_ = true;
+  base::ChildOptions options;
+  options.command = service->spec.command;
+  options.out = options.err = service->log.input();
+  options.detached = true;         // Ctrl-C on the terminal is the supervisor's alone
+  options.death_signal = SIGTERM;  // then a robot is told to stop, and files are closed
   try {
-    service->pid = StartChild(service->spec.command, service->log.input());
+    service->child.emplace(options);
   } catch (const std::exception& error) {
     DecideAfterEnd(service, 1, error.what());
     return;
   }
   service->state = State::kRunning;
   spdlog::info("{} {}, pid {}", service->spec.name,
-               service->restarts == 0 ? "started" : "started again", service->pid);
+               service->restarts == 0 ? "started" : "started again", service->pid());
 }
 
-void Supervisor::NoteEnd(int pid, int status) {
-  const auto found = std::find_if(services_.begin(), services_.end(),
-                                  [pid](const Service& s) { return s.pid == pid; });
-  if (found == services_.end()) return;
-  changed_ = true;
-  if (found->leaving) {
-    services_.erase(found);
-    return;
+void Supervisor::NoteEnds() {
+  for (Service& service : services_) {
+    const std::optional<int> status = service.TakeEnd();
+    if (!status) continue;
+    changed_ = true;
+    if (service.leaving) continue;
+    service.log.Drain();
+    DecideAfterEnd(&service, *status, service.log.LastLine());
   }
-  found->log.Drain();
-  DecideAfterEnd(&*found, status, found->log.LastLine());
+  services_.remove_if([](const Service& s) { return s.leaving && !s.runs(); });
 }
 
 void Supervisor::DecideAfterEnd(Service* service, int status, std::string last_words) {
-  service->pid = -1;
   service->last_exit = status;
   service->last_words = std::move(last_words);
   const auto pause_ms = service->policy.AfterEnd(status, SteadyMs() - service->started_ms);
@@ -156,8 +156,8 @@ void Supervisor::Scale(int workers) {
     --service;
     if (!IsWorker(service->spec) || service->leaving) continue;
     service->leaving = true;
-    if (service->pid >= 0) {
-      kill(service->pid, SIGTERM);
+    if (service->runs()) {
+      service->child->Signal(SIGTERM);
     } else {
       service = services_.erase(service);
     }
@@ -168,17 +168,13 @@ void Supervisor::Scale(int workers) {
 void Supervisor::Stop(std::int64_t patience_ms) {
   const auto running = [this] {
     DrainLogs();  // who waits for its last words to be taken does not end
-    for (EndedChild ended = ReapChild(); ended.pid >= 0; ended = ReapChild()) {
-      for (Service& service : services_) {
-        if (service.pid == ended.pid) service.pid = -1;
-      }
-    }
+    for (Service& service : services_) service.TakeEnd();
     return std::any_of(services_.begin(), services_.end(),
-                       [](const Service& s) { return s.pid >= 0; });
+                       [](const Service& s) { return s.runs(); });
   };
   const auto send = [this](int signal) {
-    for (const Service& service : services_) {
-      if (service.pid >= 0) kill(service.pid, signal);
+    for (Service& service : services_) {
+      if (service.runs()) service.child->Signal(signal);
     }
   };
   if (!running()) return;
@@ -198,7 +194,7 @@ void Supervisor::Stop(std::int64_t patience_ms) {
 json Supervisor::Describe(const Service& service) const {
   const char* names[] = {"running", "waiting", "given_up"};
   return {{"name", service.spec.name},
-          {"pid", service.pid},
+          {"pid", service.pid()},
           {"state", service.leaving ? "leaving" : names[static_cast<int>(service.state)]},
           {"restarts", std::max(0, service.restarts)},
           {"last_exit", service.last_exit < 0 ? json(nullptr) : json(service.last_exit)},

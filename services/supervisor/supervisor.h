@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <list>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/child_process.h"
 #include "services/supervisor/deployment.h"
 #include "services/supervisor/restart_policy.h"
 #include "services/supervisor/service_log.h"
@@ -50,11 +52,21 @@ class Supervisor {
   enum class State { kRunning, kWaiting, kGivenUp };
   struct Service {
     Service(ServiceSpec s, const std::string& log_file) : spec(std::move(s)), log(log_file) {}
+
+    bool runs() const { return child.has_value(); }
+    int pid() const { return child ? child->pid() : -1; }
+    /// The exit status of a child that has ended; once.
+    std::optional<int> TakeEnd() {
+      const std::optional<int> status = child ? child->Status() : std::nullopt;
+      if (status) child.reset();
+      return status;
+    }
+
     ServiceSpec spec;
     ServiceLog log;
     RestartPolicy policy;
     State state = State::kWaiting;
-    int pid = -1;
+    std::optional<base::ChildProcess> child;
     int restarts = -1;  // the first start is none
     int last_exit = -1;
     std::int64_t started_ms = 0;
@@ -65,7 +77,7 @@ class Supervisor {
 
   void Add(ServiceSpec spec);
   void Start(Service* service);
-  void NoteEnd(int pid, int status);
+  void NoteEnds();
   void DecideAfterEnd(Service* service, int status, std::string last_words);
   void DrainLogs();
   int CountWorkers() const;

@@ -17,7 +17,7 @@ double Ramp(double from, double to, double most) {
 
 }  // namespace
 
-LegNoise DrawLegNoise(const NavigationParameters& parameters, Random random) {
+LegNoise DrawLegNoise(const NavigationParameters& parameters, base::Random random) {
   LegNoise noise;
   noise.heading = parameters.heading_noise * random.BoundedNormal();
   noise.speed = 1.0 + parameters.speed_noise * random.BoundedNormal();

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/random.h"
 #include "sim/footprint.h"
 #include "sim/husky.h"
 #include "sim/navigation/parameters.h"
-#include "sim/random.h"
 
 namespace prospect::sim {
 
@@ -13,7 +13,7 @@ struct LegNoise {
   double speed = 1;    // factor on the speed
 };
 
-LegNoise DrawLegNoise(const NavigationParameters& parameters, Random random);
+LegNoise DrawLegNoise(const NavigationParameters& parameters, base::Random random);
 
 // Drives towards a point: turns in place until it faces it, then drives straight with small
 // corrections and slows down before it arrives. It plans no path and looks at no obstacle, so it

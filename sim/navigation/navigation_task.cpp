@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/random.h"
 #include "sim/navigation/catalogue.h"
-#include "sim/random.h"
 
 namespace prospect::sim {
 namespace {
@@ -83,7 +83,7 @@ NavigationTask::NavigationTask(const TaskOptions& options)
 NavigationTask::~NavigationTask() { DestroyObjects(); }
 
 void NavigationTask::Reset(std::uint64_t seed) {
-  ResetTo(DrawScene(seed, options_.objects, parameters_), MixSeeds({seed, kNoiseStream}));
+  ResetTo(DrawScene(seed, options_.objects, parameters_), base::MixSeeds({seed, kNoiseStream}));
 }
 
 void NavigationTask::ResetTo(const NavigationScene& scene, std::uint64_t noise_seed) {
@@ -138,11 +138,11 @@ bool NavigationTask::StartAction(int action) {
   progress.action = action;
   progress.action_state = ActionState::kRunning;
   ++progress.segment;
-  trial_.history = MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
+  trial_.history = base::MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
   trial_.leg_start = trial_.steps;
   trial_.arrived = -1;
   const LegNoise noise =
-      DrawLegNoise(parameters_, Random(MixSeeds({trial_.noise_seed, trial_.history})));
+      DrawLegNoise(parameters_, base::Random(base::MixSeeds({trial_.noise_seed, trial_.history})));
   const Pose2& target = Find(action)->pose;
   trial_.controller.Begin(target.x, target.y, noise);
   return true;

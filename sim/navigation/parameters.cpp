@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 #include "sim/navigation/catalogue.h"
 
 namespace prospect::sim {
@@ -36,10 +36,7 @@ std::string NavigationWorldVersion() {
          << kind.name << ' ' << f.half_x << ' ' << f.half_y << ' ' << f.radius << ' '
          << kind.height;
   }
-  char version[40];
-  std::snprintf(version, sizeof(version), "navigation-%016llx",
-                static_cast<unsigned long long>(Fnv1a(text.str())));
-  return version;
+  return "navigation-" + base::HexText(base::HashText(text.str()));
 }
 
 }  // namespace prospect::sim

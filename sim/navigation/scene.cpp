@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "sim/husky.h"
 #include "sim/navigation/catalogue.h"
-#include "sim/random.h"
 
 namespace prospect::sim {
 namespace {
@@ -16,7 +16,7 @@ const Footprint& FootprintOf(const PlacedObject& object) {
   return ObjectCatalogue()[object.kind].footprint;
 }
 
-Pose2 RandomPose(double range, Random* random) {
+Pose2 RandomPose(double range, base::Random* random) {
   Pose2 pose;
   pose.x = random->Uniform(-range, range);
   pose.y = random->Uniform(-range, range);
@@ -32,7 +32,7 @@ bool Inside(const Footprint& footprint, const Pose2& pose, double range) {
 }
 
 // The paper's four kinds and `count` - 4 random others.
-std::vector<int> DrawKinds(int count, Random* random) {
+std::vector<int> DrawKinds(int count, base::Random* random) {
   std::vector<int> kinds = {0, 1, 2, 3};
   std::vector<int> others = {4, 5, 6};
   while (static_cast<int>(kinds.size()) < count) {
@@ -44,7 +44,8 @@ std::vector<int> DrawKinds(int count, Random* random) {
   return kinds;
 }
 
-bool PlaceObject(int kind, const NavigationParameters& p, Random* random, NavigationScene* scene) {
+bool PlaceObject(int kind, const NavigationParameters& p, base::Random* random,
+                 NavigationScene* scene) {
   const Footprint& footprint = ObjectCatalogue()[kind].footprint;
   for (int i = 0; i < kTries; ++i) {
     const PlacedObject object{kind, RandomPose(p.object_range, random)};
@@ -60,7 +61,7 @@ bool PlaceObject(int kind, const NavigationParameters& p, Random* random, Naviga
   return false;
 }
 
-bool PlaceRobot(const NavigationParameters& p, Random* random, NavigationScene* scene) {
+bool PlaceRobot(const NavigationParameters& p, base::Random* random, NavigationScene* scene) {
   for (int i = 0; i < kTries; ++i) {
     scene->start = RandomPose(p.start_range, random);
     const bool clear =
@@ -72,7 +73,7 @@ bool PlaceRobot(const NavigationParameters& p, Random* random, NavigationScene* 
   return false;
 }
 
-bool FillSite(const std::vector<int>& kinds, const NavigationParameters& p, Random* random,
+bool FillSite(const std::vector<int>& kinds, const NavigationParameters& p, base::Random* random,
               NavigationScene* scene) {
   scene->objects.clear();
   for (int kind : kinds) {
@@ -94,7 +95,7 @@ bool operator==(const NavigationScene& a, const NavigationScene& b) {
 }
 
 NavigationScene DrawScene(std::uint64_t seed, int objects, const NavigationParameters& parameters) {
-  Random random(MixSeeds({seed, 0x7363656e65ULL}));
+  base::Random random(base::MixSeeds({seed, 0x7363656e65ULL}));
   NavigationScene scene;
   scene.light = 1.0 + random.Uniform(-parameters.light_range, parameters.light_range);
   const std::vector<int> kinds = DrawKinds(objects, &random);

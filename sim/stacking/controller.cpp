@@ -28,7 +28,7 @@ Eigen::Isometry3d UprightFrame(const Eigen::Isometry3d& block) {
          Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
 }
 
-Eigen::Vector3d Scatter(double sigma, Random* random) {
+Eigen::Vector3d Scatter(double sigma, base::Random* random) {
   Eigen::Vector3d offset;
   for (int i = 0; i < 3; ++i) offset[i] = sigma * random->BoundedNormal();
   return offset;
@@ -43,7 +43,7 @@ void StackingController::Rest(const TabletopWorld& world, double opening) {
 }
 
 void StackingController::Begin(const TabletopWorld& world, const StackingParameters& p,
-                               const StackingAction& action, Random random) {
+                               const StackingAction& action, base::Random random) {
   running_ = true;
   action_ = action;
   elapsed_ = 0;
@@ -55,7 +55,7 @@ void StackingController::Begin(const TabletopWorld& world, const StackingParamet
   if (action.kind == StackingKind::kStack) frozen_ = Target(world, p);
 }
 
-void StackingController::DrawNoise(const StackingParameters& p, Random random) {
+void StackingController::DrawNoise(const StackingParameters& p, base::Random random) {
   noise_.speed = 1 + p.speed_noise * random.BoundedNormal();
   noise_.early_release = -1;
   const bool carries =

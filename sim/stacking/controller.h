@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/stacking/action_table.h"
 #include "sim/stacking/parameters.h"
 #include "sim/tabletop/tabletop_world.h"
@@ -35,7 +35,7 @@ class StackingController {
 
   // Begins `action`, with noise drawn from `random`.
   void Begin(const TabletopWorld& world, const StackingParameters& p, const StackingAction& action,
-             Random random);
+             base::Random random);
 
   // Gives the action up: the arm brakes and holds still.
   void Stop(const TabletopWorld& world);
@@ -48,7 +48,7 @@ class StackingController {
   bool Done(const TabletopWorld& world, const StackingParameters& p) const;
 
  private:
-  void DrawNoise(const StackingParameters& p, Random random);
+  void DrawNoise(const StackingParameters& p, base::Random random);
   bool Moves() const;
   bool AtHomePoint() const;
   Eigen::Isometry3d Target(const TabletopWorld& world, const StackingParameters& p) const;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/random.h"
+#include "base/random.h"
 
 namespace prospect::sim {
 namespace {
@@ -13,14 +13,14 @@ constexpr std::uint64_t kSceneStream = 0x737461636bULL;
 constexpr int kTries = 1000;
 
 Eigen::Isometry3d Standing(const Eigen::Vector2d& spot, double height, double yaw,
-                           const StackingParameters& p, Random* random) {
+                           const StackingParameters& p, base::Random* random) {
   const double x = spot.x() + random->Uniform(0, p.jitter);
   const double y = spot.y() + random->Uniform(0, p.jitter);
   return Eigen::Translation3d(x, y, height / 2) * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
 }
 
-void PlaceThings(int blocks, double obstacle_height, const StackingParameters& p, Random* random,
-                 StackingScene* scene) {
+void PlaceThings(int blocks, double obstacle_height, const StackingParameters& p,
+                 base::Random* random, StackingScene* scene) {
   scene->blocks.clear();
   std::vector<Eigen::Vector2d> spots = p.block_spots;
   for (int i = 0; i < blocks; ++i) {
@@ -46,7 +46,7 @@ bool ObstacleIsFree(const StackingScene& scene, const StackingParameters& p) {
 
 StackingScene DrawStackingScene(std::uint64_t seed, int blocks, double obstacle_height,
                                 const StackingParameters& p) {
-  Random random(MixSeeds({seed, kSceneStream}));
+  base::Random random(base::MixSeeds({seed, kSceneStream}));
   StackingScene scene;
   scene.light = 1 + random.Uniform(-p.light_range, p.light_range);
   for (int i = 0; i < 6; ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/random.h"
 #include "sim/stacking/action_table.h"
 #include "sim/tabletop/scene_file.h"
 
@@ -113,7 +114,7 @@ StackingTask::StackingTask(const TaskOptions& options)
 
 void StackingTask::Reset(std::uint64_t seed) {
   ResetTo(DrawStackingScene(seed, blocks(), obstacle_height_, parameters_),
-          MixSeeds({seed, kNoiseStream}));
+          base::MixSeeds({seed, kNoiseStream}));
 }
 
 void StackingTask::ResetTo(const StackingScene& scene, std::uint64_t noise_seed) {
@@ -146,9 +147,9 @@ bool StackingTask::StartAction(int action) {
   progress.action = action;
   progress.action_state = ActionState::kRunning;
   ++progress.segment;
-  trial_.history = MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
+  trial_.history = base::MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
   trial_.controller.Begin(world_, parameters_, StackingActionAt(action, blocks()),
-                          Random(MixSeeds({trial_.noise_seed, trial_.history})));
+                          base::Random(base::MixSeeds({trial_.noise_seed, trial_.history})));
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/needle.h"
 
@@ -62,7 +63,7 @@ void GesturePlayer::Begin(int gesture, std::uint64_t seed, const SuturingWorld& 
   failure_.clear();
   began_in_tissue_ = suture->in_tissue();
   suture->thread.in_right = false;
-  Random random(MixSeeds({seed, 0x736c6970ULL}));
+  base::Random random(base::MixSeeds({seed, 0x736c6970ULL}));
   const bool slips = random.Uniform() < p.slip;
   lose_at_ = slips ? random.Uniform(0.3, 2.5) : -1;
   NextPhase(world, *suture, p, style);
@@ -73,7 +74,7 @@ bool GesturePlayer::NextPhase(const SuturingWorld& world, const Suture& suture,
   std::array<HandMove, 2> last = phase_.hands;
   for (int i = 0; i < 2; ++i) last[i].to = phase_.hands[i].At(elapsed_ / phase_.seconds);
   ++index_;
-  const Random random(MixSeeds({seed_, static_cast<std::uint64_t>(index_)}));
+  const base::Random random(base::MixSeeds({seed_, static_cast<std::uint64_t>(index_)}));
   const std::optional<Phase> next =
       PlanPhase(gesture_, index_, {world, suture, last, began_in_tissue_}, p, style, random);
   if (!next) return false;

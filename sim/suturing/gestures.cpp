@@ -70,7 +70,7 @@ std::vector<std::vector<int>> SuturingSuccessors() {
   return successors;
 }
 
-int ChooseGesture(int last, const std::vector<int>& legal, bool done, Random* random) {
+int ChooseGesture(int last, const std::vector<int>& legal, bool done, base::Random* random) {
   double total = 0;
   for (int next : legal) total += Weight(last, next, done);
   double left = random->Uniform() * total;

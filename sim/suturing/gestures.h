@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/task.h"
 
 namespace prospect::sim {
@@ -34,6 +34,6 @@ std::vector<std::vector<int>> SuturingSuccessors();
 // What a surgeon does after `last` (kGestures: at the start) among `legal`, which must not be
 // empty: a Markov chain over SuturingSuccessors, with weights of ours. Ends the trial (G11) only
 // once all throws are `done`.
-int ChooseGesture(int last, const std::vector<int>& legal, bool done, Random* random);
+int ChooseGesture(int last, const std::vector<int>& legal, bool done, base::Random* random);
 
 }  // namespace prospect::sim

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 
 namespace prospect::sim {
 namespace {
@@ -42,10 +42,7 @@ std::string SuturingWorldVersion() {
                        p.step}) {
     text << ' ' << value;
   }
-  char version[40];
-  std::snprintf(version, sizeof(version), "suturing-%016llx",
-                static_cast<unsigned long long>(Fnv1a(text.str())));
-  return version;
+  return "suturing-" + base::HexText(base::HashText(text.str()));
 }
 
 }  // namespace prospect::sim

@@ -36,7 +36,7 @@ Isometry3d BackedOff(const Isometry3d& hand, double way = kBackOff) {
 class Maker {
  public:
   Maker(const Situation& situation, const SuturingParameters& p, const SurgeonStyle& style,
-        Random random)
+        base::Random random)
       : s_(situation), p_(p), style_(style), random_(random) {
     for (int i = 0; i < 2; ++i) {
       HandMove& move = phase_.hands[i];
@@ -163,7 +163,7 @@ class Maker {
   const Situation& s_;
   const SuturingParameters& p_;
   const SurgeonStyle& style_;
-  Random random_;
+  base::Random random_;
   Phase phase_;
 };
 
@@ -358,7 +358,7 @@ Isometry3d RestPose(int hand) {
 
 std::optional<Phase> PlanPhase(int gesture, int index, const Situation& situation,
                                const SuturingParameters& p, const SurgeonStyle& style,
-                               Random random) {
+                               base::Random random) {
   const Maker m(situation, p, style, random);
   switch (gesture) {
     case kReachRight:

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/suturing/motion.h"
 #include "sim/suturing/parameters.h"
 #include "sim/suturing/suturing_world.h"
@@ -60,7 +60,7 @@ struct Situation {
 // the gesture's last. A needle that is held goes where it should be with the grip that it has.
 std::optional<Phase> PlanPhase(int gesture, int index, const Situation& situation,
                                const SuturingParameters& p, const SurgeonStyle& style,
-                               Random random);
+                               base::Random random);
 
 // A hand at `at` whose jaws point along `tool` and open sideways.
 Eigen::Isometry3d HandPose(const Eigen::Vector3d& at, const Eigen::Vector3d& tool);

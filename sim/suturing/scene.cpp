@@ -1,6 +1,6 @@
 #include "sim/suturing/scene.h"
 
-#include "sim/random.h"
+#include "base/random.h"
 
 namespace prospect::sim {
 namespace {
@@ -13,18 +13,18 @@ using Eigen::Vector3d;
 constexpr std::uint64_t kSceneStream = 0x7375747572ULL;
 constexpr double kMm = 1e-3;
 
-Vector3d Jitter(double mm, Random* random) {
+Vector3d Jitter(double mm, base::Random* random) {
   const double x = random->Uniform(-mm, mm), y = random->Uniform(-mm, mm);
   return Vector3d(x, y, random->Uniform(-mm, mm)) * kMm;
 }
 
-Color Tint(const Color& color, double range, Random* random) {
+Color Tint(const Color& color, double range, base::Random* random) {
   Color out = color;
   for (int i = 0; i < 3; ++i) out[i] *= static_cast<float>(1 + random->Uniform(-range, range));
   return out;
 }
 
-SuturingLook DrawLook(Random* random) {
+SuturingLook DrawLook(base::Random* random) {
   SuturingLook look;
   look.eye = Vector3d(0, -66, 92) * kMm + Jitter(3, random);
   look.target = Vector3d(0, -1, 3) * kMm + Jitter(1.5, random);
@@ -38,7 +38,7 @@ SuturingLook DrawLook(Random* random) {
   return look;
 }
 
-Isometry3d Shaken(const Isometry3d& pose, Random* random) {
+Isometry3d Shaken(const Isometry3d& pose, base::Random* random) {
   Isometry3d out = pose;
   out.translation() += Jitter(3, random);
   out.rotate(AngleAxisd(random->Uniform(-0.15, 0.15), Vector3d::UnitZ()));
@@ -60,7 +60,7 @@ SurgeonStyle StyleOf(int surgeon) {
 }
 
 SuturingScene DrawSuturingScene(std::uint64_t seed, int surgeon, const SuturingParameters& p) {
-  Random random(MixSeeds({seed, kSceneStream}));
+  base::Random random(base::MixSeeds({seed, kSceneStream}));
   SuturingScene scene;
   scene.seed = seed;
   const int drawn = random.Below(kSurgeons);

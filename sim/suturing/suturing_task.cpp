@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/needle.h"
 
@@ -92,7 +92,7 @@ void SuturingTask::Reset(std::uint64_t seed) {
   endoscope_.reset();
   world_.Place(scene_.hands, scene_.needle);
   trial_ = Trial();
-  trial_.noise_seed = MixSeeds({seed, kNoiseStream});
+  trial_.noise_seed = base::MixSeeds({seed, kNoiseStream});
   trial_.last_done = spec_.null_action();
   trial_.progress.action = spec_.null_action();
   trial_.progress.previous_action = spec_.null_action();
@@ -115,9 +115,9 @@ bool SuturingTask::StartAction(int action) {
   progress.action = action;
   progress.action_state = ActionState::kRunning;
   ++progress.segment;
-  trial_.history = MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
-  trial_.player.Begin(action, MixSeeds({trial_.noise_seed, trial_.history}), world_, &trial_.suture,
-                      p_, scene_.style);
+  trial_.history = base::MixSeeds({trial_.history, static_cast<std::uint64_t>(action) + 1});
+  trial_.player.Begin(action, base::MixSeeds({trial_.noise_seed, trial_.history}), world_,
+                      &trial_.suture, p_, scene_.style);
   return true;
 }
 

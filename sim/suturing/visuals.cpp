@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/suturing/needle.h"
 
 namespace prospect::sim {
@@ -35,7 +35,7 @@ double Field(double x, double y, std::uint64_t seed) {
   const auto at = [&](int dx, int dy) {
     const auto ix = static_cast<std::uint64_t>(static_cast<std::int64_t>(fx) + dx);
     const auto iy = static_cast<std::uint64_t>(static_cast<std::int64_t>(fy) + dy);
-    return static_cast<double>(MixSeeds({seed, ix, iy}) >> 11) * 0x1.0p-52 - 1;
+    return static_cast<double>(base::MixSeeds({seed, ix, iy}) >> 11) * 0x1.0p-52 - 1;
   };
   const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
   const double u = smooth(x - fx), v = smooth(y - fy);

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/yaml_keys.h"
-#include "sim/fnv.h"
 
 namespace prospect::sim {
 namespace {
@@ -281,9 +281,7 @@ TabletopDescription ReadTabletop(const YamlReader& root) {
 
 std::string SceneHash(const YamlReader& root, int revision) {
   const std::string text = std::to_string(revision) + "\n" + YAML::Dump(root.node());
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(Fnv1a(text)));
-  return hash;
+  return base::HexText(base::HashText(text));
 }
 
 }  // namespace prospect::sim

@@ -11,16 +11,16 @@
 #include <fstream>
 #include <string>
 
-#include "services/executive/episode_video.h"
-#include "tools/view/video.h"
+#include "report/episode_video.h"
+#include "report/video_writer.h"
 
 namespace prospect {
 namespace {
 
 constexpr int kFrames = 20, kFramesPerSecond = 10;
 
-services::Picture PictureOf(int width, int height, int tick) {
-  services::Picture picture{width, height, {}};
+sim::Image PictureOf(int width, int height, int tick) {
+  sim::Image picture{width, height, {}};
   picture.rgb.resize(static_cast<std::size_t>(width) * height * 3);
   for (std::size_t i = 0; i < picture.rgb.size(); ++i)
     picture.rgb[i] = static_cast<std::uint8_t>(i / 7 + static_cast<std::size_t>(tick) * 5);
@@ -31,19 +31,13 @@ void WriteEpisode(const std::string& path) {
   services::EpisodeRecord record;
   record.frames_per_second = kFramesPerSecond;
   for (int i = 0; i < kFrames; ++i) record.frames.push_back(PictureOf(64, 64, i));
-  services::WriteEpisodeVideo(record, path);
+  report::WriteEpisodeVideo(record, path);
 }
 
 // Of an odd size, as a person may ask for.
 void WriteView(const std::string& path) {
-  tools::Video video(path, kFramesPerSecond, 321, 241);
-  for (int i = 0; i < kFrames; ++i) {
-    sim::Image image;
-    image.width = 321;
-    image.height = 241;
-    image.rgb = PictureOf(image.width, image.height, i).rgb;
-    video.Add(image);
-  }
+  report::VideoWriter video(path, kFramesPerSecond, 321, 241);
+  for (int i = 0; i < kFrames; ++i) video.Add(PictureOf(321, 241, i));
   video.Finish();
 }
 

@@ -63,8 +63,8 @@ TEST_F(Explaining, SaysWhatResultJsonSaysAndCarriesNothingOut) {
   const std::string said = deployment.Log("5-prospect-executive");
   EXPECT_TRUE(Holds(said, "Act: begin with ")) << said;
   EXPECT_TRUE(Holds(said, "Alternatives:\n")) << said;
-  EXPECT_EQ(PROSPECT_PICTURES, std::filesystem::exists(deployment.folder + "/out/chosen.png"));
-  EXPECT_EQ(PROSPECT_PICTURES, Holds(page, "data:image/png;base64,"));
+  EXPECT_TRUE(std::filesystem::exists(deployment.folder + "/out/chosen.png"));
+  EXPECT_TRUE(Holds(page, "data:image/png;base64,"));
   EXPECT_FALSE(std::filesystem::exists(deployment.folder + "/out/episode.mp4"));
 }
 
@@ -125,7 +125,7 @@ TEST_F(Explaining, ANamedPlanIsJudgedByTheModel) {
               done * what_if.at("steps").at(2).at("V").get<double>(), 1e-6);
   EXPECT_EQ(what_if.at("findings").at(0) == "It is the chosen plan.",
             Chosen(deployment) == std::vector<std::string>(chosen.rbegin(), chosen.rend()));
-  EXPECT_EQ(PROSPECT_PICTURES, std::filesystem::exists(deployment.folder + "/out/what-if.png"));
+  EXPECT_TRUE(std::filesystem::exists(deployment.folder + "/out/what-if.png"));
 }
 
 TEST_F(Explaining, AForbiddenPlanIsShownAsForbidden) {

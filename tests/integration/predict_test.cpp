@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <string>
 
+#include "report/video_writer.h"
 #include "tests/integration/support/deployment.h"
+#include "tests/unit/report/png_size.h"
 
 namespace prospect::tests {
 namespace {
@@ -19,19 +19,30 @@ namespace fs = std::filesystem;
 
 const std::string kWeights = std::string(PROSPECT_ROOT) + "/model/weights/suturing.safetensors";
 
+constexpr int kWidth = 320, kHeight = 240;
+
+// A light square with its middle at column `at`.
+sim::Image TissueWithAPad(int at) {
+  sim::Image picture{kWidth, kHeight, {}};
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const bool pad = std::abs(x - at) < 20 && std::abs(y - 120) < 20;
+      for (const int value : {pad ? 200 : 170, pad ? 200 : 110, pad ? 200 : 90})
+        picture.rgb.push_back(static_cast<std::uint8_t>(value));
+    }
+  }
+  return picture;
+}
+
 class Predicting : public ::testing::Test {
  protected:
   Predicting()
       : deployment_(::testing::UnitTest::GetInstance()->current_test_info()->name()),
         video_(deployment_.folder + "/film.avi"),
         transcription_(deployment_.folder + "/film.txt") {
-    cv::VideoWriter film(video_, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30,
-                         cv::Size(320, 240));
-    for (int i = 0; i < 120; ++i) {
-      cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(90, 110, 170));
-      cv::circle(picture, {60 + 2 * i, 120}, 20, cv::Scalar(200, 200, 200), cv::FILLED);
-      film.write(picture);
-    }
+    report::VideoWriter film(video_, 30, kWidth, kHeight, report::VideoFormat::kMotionJpeg);
+    for (int i = 0; i < 120; ++i) film.Add(TissueWithAPad(60 + 2 * i));
+    film.Finish();
     std::ofstream(transcription_) << "7 36 G2\n40 75 G3\n76 100 G6\n";
   }
 
@@ -69,12 +80,11 @@ TEST_F(Predicting, WritesWhatComesNextBesideWhatCame) {
             std::string::npos)
       << said_;
   EXPECT_NE(said_.find("G3 push the needle through the tissue, then G6"), std::string::npos);
-  const cv::Mat seen = cv::imread(Out("seen.png"));
-  EXPECT_EQ(seen.cols, 128);
-  EXPECT_EQ(seen.rows, 96);
-  EXPECT_EQ(cv::imread(Out("future-16.png")).cols, 128) << "G3, and each of 15 after it";
+  EXPECT_EQ(report::PngSize(Out("seen.png")).width, 128u);
+  EXPECT_EQ(report::PngSize(Out("seen.png")).height, 96u);
+  EXPECT_EQ(report::PngSize(Out("future-16.png")).width, 128u) << "G3, and each of 15 after it";
   EXPECT_FALSE(fs::exists(Out("future-17.png")));
-  EXPECT_GT(cv::imread(Out("futures.png")).cols, 1000);
+  EXPECT_GT(report::PngSize(Out("futures.png")).width, 1000u);
 }
 
 TEST_F(Predicting, NamedGesturesAreFollowed) {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/sensor_noise.h"
 #include "model/dataset.h"
-#include "sim/sensor_noise.h"
 #include "tests/integration/support/deployment.h"
 
 namespace prospect::tests {
@@ -27,8 +27,8 @@ std::vector<std::uint8_t> AsRead(model::Trial trial) {
   const auto bytes =
       static_cast<std::size_t>(trial.width) * static_cast<std::size_t>(trial.height) * 3;
   for (std::size_t frame = 0; frame < trial.actions.size(); ++frame) {
-    sim::AddSensorNoise(trial.images.data() + frame * bytes, bytes, trial.seed,
-                        static_cast<std::int64_t>(frame), trial.image_noise);
+    base::AddSensorNoise(trial.images.data() + frame * bytes, bytes, trial.seed,
+                         static_cast<std::int64_t>(frame), trial.image_noise);
   }
   return trial.images;
 }

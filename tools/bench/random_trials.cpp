@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/hash.h"
+#include "base/random.h"
 #include "model/dataset.h"
-#include "model/hash.h"
-#include "sim/random.h"
 
 namespace prospect::tools {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr int kSegmentFrames = 6;  // enough that frames inside lie 0.3 s before the end
 
 // Actions after which nothing may follow come only last.
-std::vector<int> RandomActions(const sim::TaskSpec& spec, int count, sim::Random* random) {
+std::vector<int> RandomActions(const sim::TaskSpec& spec, int count, base::Random* random) {
   std::vector<int> actions;
   int last = spec.null_action();
   for (int k = 0; k < count; ++k) {
@@ -42,7 +42,7 @@ void AddFrame(int segment, const std::vector<int>& actions, model::Trial* trial)
 void Describe(const sim::TaskSpec& spec, model::Trial* trial) {
   trial->task = spec.name;
   trial->world_version = spec.world_version;
-  trial->task_hash = model::HexText(spec.Hash());
+  trial->task_hash = base::HexText(spec.Hash());
   trial->tick_seconds = spec.tick_seconds;
   trial->width = spec.image_width;
   trial->height = spec.image_height;
@@ -56,7 +56,7 @@ void Describe(const sim::TaskSpec& spec, model::Trial* trial) {
 }  // namespace
 
 model::Trial RandomTrial(const sim::TaskSpec& spec, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   model::Trial trial;
   trial.seed = seed;
   Describe(spec, &trial);

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/json_file.h"
+#include "base/random.h"
 #include "model/trial.h"
-#include "sim/random.h"
 #include "tools/ceiling/foretold.h"
 #include "tools/ceiling/replay.h"
 #include "tools/collect/collector.h"
@@ -91,7 +91,7 @@ Repetitions FromJson(const json& j) { return {{j[0], j[1]}, {j[2], j[3]}}; }
 // Uniform over all moments of all trials: a number is drawn first, and trials that do not last so
 // long give none.
 json LookAt(sim::Task& task, std::uint64_t seed, int runs, int most) {
-  const int number = sim::Random(sim::MixSeeds({seed, kMomentStream})).Below(most + 1);
+  const int number = base::Random(base::MixSeeds({seed, kMomentStream})).Below(most + 1);
   const std::optional<Moment> moment = Replay(task, seed, number, runs);
   if (!moment) return json::object();
   json line = {{"V after one", ToJson(moment->value_one)},

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/random.h"
 #include "sim/plan_rules.h"
-#include "sim/random.h"
 #include "sim/random_plan.h"
 #include "sim/rollout.h"
 
@@ -64,7 +64,7 @@ class Repeater {
 
  private:
   std::uint64_t Stream(std::uint64_t stream, std::size_t chosen, int run) const {
-    return sim::MixSeeds({seed_, stream, chosen, static_cast<std::uint64_t>(run)});
+    return base::MixSeeds({seed_, stream, chosen, static_cast<std::uint64_t>(run)});
   }
 
   void Count(int run, bool came_true, Repetitions* to) const {

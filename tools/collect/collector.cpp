@@ -12,8 +12,9 @@
 
 #include "base/json_file.h"
 #include "base/lock.h"
+#include "base/random.h"
+#include "base/seconds_since.h"
 #include "model/dataset.h"
-#include "sim/random.h"
 #include "tools/collect/scene_tasks.h"
 #include "tools/collect/trial_recorder.h"
 #include "tools/common/fork_map.h"
@@ -137,7 +138,7 @@ void Pack(const CollectOptions& options) {
 }  // namespace
 
 sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed) {
-  sim::Random random(sim::MixSeeds({seed, kSceneStream}));
+  base::Random random(base::MixSeeds({seed, kSceneStream}));
   const bool plain = random.Uniform() < 0.5;
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
@@ -171,8 +172,7 @@ CollectSummary Collect(const CollectOptions& options) {
       });
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
   Pack(options);
-  summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/suturing/gestures.h"
 
 namespace prospect::tools {
@@ -44,8 +44,8 @@ GestureTrial PlayGestureTrial(sim::SuturingTask* task, std::uint64_t seed, int a
                               const std::function<void(int)>& on_frame) {
   const auto try_number = static_cast<std::uint64_t>(attempt);
   task->Reset(seed);
-  if (attempt > 0) task->SetNoiseSeed(sim::MixSeeds({seed, kAttemptStream, try_number}));
-  sim::Random choices(sim::MixSeeds({seed, kChoiceStream, try_number}));
+  if (attempt > 0) task->SetNoiseSeed(base::MixSeeds({seed, kAttemptStream, try_number}));
+  base::Random choices(base::MixSeeds({seed, kChoiceStream, try_number}));
   GestureTrial trial;
   Player player(task, on_frame);
   player.Show();

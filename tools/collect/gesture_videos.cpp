@@ -7,14 +7,15 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
 #include <stdexcept>
 
 #include "base/atomic_file.h"
 #include "base/lock.h"
-#include "sim/sensor_noise.h"
+#include "base/seconds_since.h"
+#include "base/sensor_noise.h"
+#include "report/video_reader.h"
+#include "report/video_writer.h"
 #include "sim/suturing/suturing_task.h"
-#include "tools/collect/avi_writer.h"
 #include "tools/collect/collector.h"
 #include "tools/collect/gesture_trial.h"
 #include "tools/common/fork_map.h"
@@ -169,9 +170,9 @@ class TrialMaker {
   GestureTrial FilmTrial(int attempt) {
     videos_.clear();
     for (int eye = 1; eye <= (options_.right_eye ? 2 : 1); ++eye) {
-      videos_.push_back(std::make_unique<AviWriter>(places_.unfinished_video(name_, eye).string(),
-                                                    options_.width, options_.height,
-                                                    options_.frames_per_second));
+      videos_.push_back(std::make_unique<report::VideoWriter>(
+          places_.unfinished_video(name_, eye).string(), options_.frames_per_second, options_.width,
+          options_.height, report::VideoFormat::kMotionJpeg));
     }
     return PlayGestureTrial(&task_, seed_, attempt, [this](int frame) { Film(frame); });
   }
@@ -191,9 +192,9 @@ class TrialMaker {
       sim::Image image = i == 0 ? task_.Render(options_.width, options_.height)
                                 : task_.RenderRightEye(options_.width, options_.height);
       const std::uint64_t noise = i == 0 ? seed_ : seed_ ^ kRightEyeNoise;
-      sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), noise, frame - 1,
-                          options_.image_noise);
-      videos_[i]->Write(image);
+      base::AddSensorNoise(image.rgb.data(), image.rgb.size(), noise, frame - 1,
+                           options_.image_noise);
+      videos_[i]->Add(image);
     }
   }
 
@@ -203,14 +204,14 @@ class TrialMaker {
   std::uint64_t seed_;
   sim::SuturingTask task_;
   std::vector<std::string> failures_;
-  std::vector<std::unique_ptr<AviWriter>> videos_;
+  std::vector<std::unique_ptr<report::VideoWriter>> videos_;
 };
 
 // The frames of a trial that an earlier run finished; 0 if none did.
 int KeptFrames(const Places& places, const std::string& name) {
   const fs::path video = places.video(name, 1);
   const bool whole = fs::exists(places.transcription(name)) && fs::exists(video);
-  return whole ? FramesOfVideo(video.string()) : 0;
+  return whole ? report::FramesOfVideo(video.string()) : 0;
 }
 
 json MakeOrKeep(const GestureVideoOptions& options, int i) {
@@ -259,7 +260,7 @@ GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
   Progress progress("trials", options.trials);
   const auto start = std::chrono::steady_clock::now();
   const auto make_worker = [&options] {
-    cv::setNumThreads(1);  // the processes share the work already
+    report::UseOneThread();  // the processes share the work already
     return [&options](int i) { return MakeOrKeep(options, i).dump(); };
   };
   const Extent extent =
@@ -270,8 +271,7 @@ GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
   base::WriteFile(places.meta(), MetaText(options.trials));
   fs::remove_all(places.unfinished());
-  summary.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }
 

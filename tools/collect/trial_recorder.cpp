@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "base/hash.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 
@@ -32,7 +33,7 @@ TrialRecorder::TrialRecorder(const sim::Task& task, std::uint64_t seed) : task_(
   trial_.num_actions = spec.null_action();
   trial_.plan_length = spec.plan_length;
   trial_.world_version = spec.world_version;
-  trial_.task_hash = TaskHashText(spec);
+  trial_.task_hash = base::HexText(spec.Hash());
   trial_.num_landmarks = static_cast<int>(spec.landmarks.size());
 }
 
@@ -72,12 +73,6 @@ model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image
     sim::RunAction(task, plan.Choose(legal), &recorder);
   }
   return recorder.Finish(image_noise);
-}
-
-std::string TaskHashText(const sim::TaskSpec& spec) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(spec.Hash()));
-  return text;
 }
 
 }  // namespace prospect::tools

@@ -31,7 +31,4 @@ class TrialRecorder : public sim::FrameSink {
 // actions has a stream of its own, so it does not depend on the world's noise.
 model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise);
 
-// Hexadecimal text of a task's hash, as data sets store it.
-std::string TaskHashText(const sim::TaskSpec& spec);
-
 }  // namespace prospect::tools

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "base/hash.h"
 #include "model/jigsaws/gestures.h"
 #include "sim/task_factory.h"
 
@@ -17,10 +18,7 @@ ActionTable::ActionTable(const model::Trial& trial) {
   }
   try {
     const auto task = sim::MakeTask(trial.task);
-    char hash[17];
-    std::snprintf(hash, sizeof hash, "%016llx",
-                  static_cast<unsigned long long>(task->spec().Hash()));
-    if (trial.task_hash != hash) return;
+    if (trial.task_hash != base::HexText(task->spec().Hash())) return;
     for (const sim::ActionSpec& action : task->spec().actions) names_.push_back(action.name);
     successors_ = task->spec().successors;
   } catch (const std::invalid_argument&) {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/sensor_noise.h"
 #include "sim/rollout.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::tools {
 namespace {
@@ -14,7 +14,7 @@ std::vector<std::uint8_t> Look(sim::Task& task, std::uint64_t seed, double image
   std::vector<std::uint8_t> pixels = task.Observe().rgb;
   const auto frame =
       static_cast<std::int64_t>(std::llround(task.progress().time / task.spec().tick_seconds));
-  sim::AddSensorNoise(pixels.data(), pixels.size(), seed, frame, image_noise);
+  base::AddSensorNoise(pixels.data(), pixels.size(), seed, frame, image_noise);
   return pixels;
 }
 

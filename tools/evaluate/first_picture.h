@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/sensor_noise.h"
+#include "base/sensor_noise.h"
 #include "sim/task.h"
 
 namespace prospect::tools {
@@ -14,7 +14,7 @@ inline std::vector<std::uint8_t> FirstPicture(sim::Task& task, std::uint64_t see
                                               double image_noise) {
   task.Reset(seed);
   std::vector<std::uint8_t> pixels = task.Observe().rgb;
-  sim::AddSensorNoise(pixels.data(), pixels.size(), seed, 0, image_noise);
+  base::AddSensorNoise(pixels.data(), pixels.size(), seed, 0, image_noise);
   return pixels;
 }
 

@@ -32,7 +32,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_flag("--calibrate-novelty", std::string("This program: what pictures are known"));
+  app->add_flag("--calibrate-novelty")->description("This program: what pictures are known");
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file; rewritten with the result")->required();
   app->add_option("--scenes", o->scenes,

@@ -10,7 +10,7 @@
 
 #include "base/disk_error.h"
 #include "base/line_file.h"
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/rollout.h"
 #include "tools/evaluate/decider.h"
 
@@ -94,7 +94,7 @@ std::vector<Path> LegalPlans(const sim::Task& task, std::uint64_t scene_seed, in
   Path path;
   Grow(RulesOf(task.spec()), task.PresentActions(), &path, &plans);
   if (static_cast<int>(plans.size()) <= most) return plans;
-  std::mt19937_64 random(sim::MixSeeds({scene_seed, kChoiceStream}));
+  std::mt19937_64 random(base::MixSeeds({scene_seed, kChoiceStream}));
   std::vector<Path> chosen;
   std::sample(plans.begin(), plans.end(), std::back_inserter(chosen), most, random);
   return chosen;
@@ -105,7 +105,7 @@ std::vector<PlanOutcome> CarryOut(sim::Task& task, std::uint64_t scene_seed,
   const std::unique_ptr<sim::TaskState> start = task.Save();
   std::vector<std::vector<int>> counts(2, std::vector<int>(plans.size(), 0));
   for (int i = 0; i < 2 * runs; ++i) {
-    task.SetNoiseSeed(sim::MixSeeds({scene_seed, kRunStream, static_cast<std::uint64_t>(i)}));
+    task.SetNoiseSeed(base::MixSeeds({scene_seed, kRunStream, static_cast<std::uint64_t>(i)}));
     Run(task, plans, &counts[i < runs ? 0 : 1]).Explore(0, plans.size(), 0);
     task.Restore(*start);
   }

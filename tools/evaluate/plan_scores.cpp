@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
+#include "base/sensor_noise.h"
 #include "model/training/measures.h"
 #include "sim/rollout.h"
-#include "sim/sensor_noise.h"
 #include "tools/evaluate/engine_model.h"
 
 namespace prospect::tools {
@@ -242,7 +242,7 @@ PlanScene ScorePlans(sim::Task& task, model::Engine& engine, std::uint64_t scene
                      double image_noise, const std::vector<PlanOutcome>& outcomes, int runs) {
   task.Reset(scene_seed);
   std::vector<std::uint8_t> seen = task.Observe().rgb;
-  sim::AddSensorNoise(seen.data(), seen.size(), scene_seed, 0, image_noise);
+  base::AddSensorNoise(seen.data(), seen.size(), scene_seed, 0, image_noise);
   EngineModel model(&engine);
   model.SetFirst(seen);
   model.SetRoot(seen, task.spec().null_action());

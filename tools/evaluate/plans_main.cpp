@@ -28,7 +28,7 @@ struct Options {
 };
 
 void AddOptions(CLI::App* app, Options* o) {
-  app->add_flag("--plans", std::string("This program: plans instead of closed loops"));
+  app->add_flag("--plans")->description("This program: plans instead of closed loops");
   app->add_option("--task", o->task, "Task")->capture_default_str();
   app->add_option("--weights", o->weights, "Weights file")->required();
   app->add_option("--scenes", o->scenes, "Scenes")

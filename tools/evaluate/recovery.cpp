@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/random.h"
+#include "base/random.h"
 #include "sim/rollout.h"
 
 namespace prospect::tools {
@@ -35,7 +35,7 @@ bool GoingOnSucceeds(sim::Task& task) {
 bool Lost(sim::Task& task, const sim::TaskState& here, std::uint64_t scene_seed) {
   bool succeeds = false;
   for (int run = 0; run < kRuns && !succeeds; ++run) {
-    task.SetNoiseSeed(sim::MixSeeds({scene_seed, kStream, static_cast<std::uint64_t>(run)}));
+    task.SetNoiseSeed(base::MixSeeds({scene_seed, kStream, static_cast<std::uint64_t>(run)}));
     succeeds = GoingOnSucceeds(task);
     task.Restore(here);
   }
@@ -51,7 +51,7 @@ std::optional<Recovery> ConsultRecovery(sim::Task& task, std::uint64_t scene_see
   if (Lost(task, *here, scene_seed)) {
     sim::OracleOptions options;
     options.begin_anew = true;
-    const std::uint64_t seed = sim::MixSeeds({scene_seed, kStream});
+    const std::uint64_t seed = base::MixSeeds({scene_seed, kStream});
     recovery = Recovery{sim::ConsultOracle(task, seed, options).scene_class, task.progress().time};
   }
   task.Restore(*here);

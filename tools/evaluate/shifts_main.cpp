@@ -8,6 +8,7 @@
 #include "base/json_file.h"
 #include "base/lock.h"
 #include "model/weights.h"
+#include "report/shift_plot.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
 #include "tools/common/scene_options.h"
@@ -15,7 +16,6 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/scene_runs.h"
-#include "tools/evaluate/shift_plot.h"
 #include "tools/evaluate/shift_sweep.h"
 
 namespace prospect::tools {
@@ -34,7 +34,7 @@ struct Options {
 
 void AddOptions(CLI::App* app, Options* o) {
   SweepOptions& sweep = o->sweep;
-  app->add_flag("--shifts", std::string("This program: shifted pictures instead of closed loops"));
+  app->add_flag("--shifts")->description("This program: shifted pictures instead of closed loops");
   app->add_option("--task", sweep.task, "Task")->capture_default_str();
   app->add_option("--weights", sweep.weights, "Weights file")->required();
   app->add_option("--factors", o->factors, "Which of light, camera, colour, noise")
@@ -148,8 +148,8 @@ int Main(int argc, char** argv) {
   json summary = SummariseShifts(scenes, options.sweep.points);
   std::cout << ShiftTable(summary) << extent.Line("scenes");
   const std::string plot = options.out + "/shifts.png";
-  if (WriteShiftPlot(plot, summary, "Pictures unlike the known ones: " + options.sweep.task))
-    std::cout << "plot: " << plot << "\n";
+  report::WriteShiftPlot(plot, summary, "Pictures unlike the known ones: " + options.sweep.task);
+  std::cout << "plot: " << plot << "\n";
   if (options.json_file.empty()) return extent.exit_code();
   summary["task"] = options.sweep.task;
   summary["first_seed"] = options.seed;

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "report/heat_map.h"
+#include "base/number_format.h"
 #include "tools/evaluate/engine_model.h"
-#include "tools/figures/heat_panel.h"
+#include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"
-#include "tools/figures/strip.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr std::size_t kMostCourses = 8;
@@ -90,12 +94,12 @@ Strip StripOf(const Course& course, int number, const SceneFutures& scene, const
   strip.cells = CellsOf(table, course.path, course.states, pictures, parameters);
   strip.color = course.failed() ? kBad : kGood;
   if (course.stuck) {
-    strip.verdict = Number("p permits nothing more (p < %.2f)", parameters.p_min);
+    strip.verdict = base::Number("p permits nothing more (p < %.2f)", parameters.p_min);
   } else if (course.failed()) {
     strip.verdict = WhyRejected(course.rejection, static_cast<int>(course.path.size()),
                                 course.states.back(), course.score, parameters);
   } else {
-    strip.verdict = Number("may succeed: score %.2f", course.score);
+    strip.verdict = base::Number("may succeed: score %.2f", course.score);
   }
   if (course.failed()) strip.cells.back().bad = true;
   return strip;
@@ -109,9 +113,9 @@ std::string Caption(const SceneFutures& scene, const planner::SearchParameters& 
          "will succeed from "
          "there; f, where below 0.5: that the action got done. Red frame: the future fails there "
          "and is not followed further (" +
-         Number("V < %.2f or ", parameters.v_failed) + Number("f < %.2f", parameters.c_done) +
+         base::Number("V < %.2f or ", parameters.v_failed) + base::Number("f < %.2f", parameters.c_done) +
          "), or its score at the end, V times f along the way, is below the refusal threshold of " +
-         Number("%.2f", parameters.refusal_threshold) +
+         base::Number("%.2f", parameters.refusal_threshold) +
          ". The scene is the first in random order in which futures end both ways, if there is "
          "one.";
 }
@@ -154,7 +158,7 @@ Page DrawFutures(const SceneFutures& scene, const TaskTable& table, const Loaded
     const int number = static_cast<int>(strips.size()) + 1;
     strips.push_back(StripOf(course, number, scene, table, loaded, parameters));
   }
-  Sheet sheet(std::max(kLeastWidth, StripsWidth(strips)));
+  Canvas sheet(std::max(kLeastWidth, StripsWidth(strips)));
   int y = DrawHeading(&sheet, "Parallel futures of one scene: " + loaded.engine->info().task);
   sheet.Picture(kMargin, y, scene.seen, FactorFor(std::max(scene.seen.width, scene.seen.height)));
   const int x = kMargin + kSide + 14;

@@ -6,9 +6,9 @@
 #include "planner/model_source.h"
 #include "planner/plan.h"
 #include "planner/search_parameters.h"
+#include "report/page.h"
 #include "tools/figures/held_out.h"
 #include "tools/figures/loaded_model.h"
-#include "tools/figures/page.h"
 #include "tools/figures/task_table.h"
 
 namespace prospect::figures {
@@ -42,7 +42,7 @@ SceneFutures FindFutures(const HeldOut& held_out, const TaskTable& table, model:
                          const planner::SearchParameters& parameters, int most, std::uint64_t seed);
 
 /// futures.png: what would happen if, for several plans of one scene.
-Page DrawFutures(const SceneFutures& scene, const TaskTable& table, const LoadedModel& loaded,
-                 const planner::SearchParameters& parameters);
+report::Page DrawFutures(const SceneFutures& scene, const TaskTable& table,
+                         const LoadedModel& loaded, const planner::SearchParameters& parameters);
 
 }  // namespace prospect::figures

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/random.h"
-#include "sim/sensor_noise.h"
+#include "base/random.h"
+#include "base/sensor_noise.h"
 
 namespace prospect::figures {
 
@@ -33,8 +33,8 @@ SeenTrial HeldOut::Read(std::size_t k) const {
     picture.rgb.assign(pixels.begin() + static_cast<std::ptrdiff_t>(i * bytes),
                        pixels.begin() + static_cast<std::ptrdiff_t>((i + 1) * bytes));
     trial.clean.push_back(picture);
-    sim::AddSensorNoise(picture.rgb.data(), bytes, trial.labels.seed, frames[i],
-                        trial.labels.image_noise);
+    base::AddSensorNoise(picture.rgb.data(), bytes, trial.labels.seed, frames[i],
+                         trial.labels.image_noise);
     trial.seen.push_back(std::move(picture));
   }
   return trial;
@@ -43,7 +43,7 @@ SeenTrial HeldOut::Read(std::size_t k) const {
 std::vector<std::size_t> HeldOut::Shuffled(std::uint64_t seed) const {
   std::vector<std::size_t> order(size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  sim::Random random(seed);
+  base::Random random(seed);
   for (std::size_t i = order.size(); i > 1; --i) {
     std::swap(order[i - 1], order[static_cast<std::size_t>(random.Below(static_cast<int>(i)))]);
   }

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
-#include "tools/figures/heat_panel.h"
+#include "report/heat_map.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kColumn = kSide + 14, kLabel = 84, kScale = 64;
@@ -13,7 +17,7 @@ constexpr int kMostColumns = 10;
 struct Column {
   std::string above;
   sim::Image seen, decoded;
-  ChannelMean mean;
+  ValueGrid mean;
 };
 
 Column MakeColumn(const SeenTrial& trial, int slot, const std::string& above,
@@ -41,10 +45,10 @@ std::vector<Column> Columns(const SeenTrial& trial, const TaskTable& table,
 }
 
 // Columns from `first` on. Returns the y below.
-int DrawBand(Sheet* sheet, int y, const std::vector<Column>& columns, std::size_t first,
+int DrawBand(Canvas* sheet, int y, const std::vector<Column>& columns, std::size_t first,
              const Range& range) {
   const std::size_t end = std::min(columns.size(), first + kMostColumns);
-  const int top = y + 2 * Sheet::LineHeight(kBodyStyle) + 4;
+  const int top = y + 2 * Canvas::LineHeight(kBodyStyle) + 4;
   const int step = kSide + 10;
   const char* labels[] = {"picture", "hidden state", "decoding"};
   for (int row = 0; row < 3; ++row) {
@@ -81,11 +85,11 @@ std::string Caption(const SeenTrial& trial, const model::EngineInfo& info) {
 
 Page DrawHiddenStates(const SeenTrial& trial, const TaskTable& table, const LoadedModel& loaded) {
   const std::vector<Column> columns = Columns(trial, table, loaded);
-  std::vector<ChannelMean> means;
+  std::vector<ValueGrid> means;
   for (const Column& column : columns) means.push_back(column.mean);
   const Range range = RangeOf(means);
   const int across = static_cast<int>(std::min<std::size_t>(columns.size(), kMostColumns));
-  Sheet sheet(2 * kMargin + kLabel + across * kColumn + kScale);
+  Canvas sheet(2 * kMargin + kLabel + across * kColumn + kScale);
   int y = DrawHeading(&sheet, "What the encoder keeps of a picture: " + trial.labels.task);
   for (std::size_t i = 0; i < columns.size(); i += kMostColumns) {
     y = DrawBand(&sheet, y, columns, i, range);

@@ -1,11 +1,6 @@
 #include "tools/figures/imagined.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <utility>
-
-#include "tools/figures/color.h"
 
 namespace prospect::figures {
 
@@ -27,8 +22,8 @@ std::vector<sim::Image> PicturesAlong(const LoadedModel& loaded, const sim::Imag
   return loaded.paint(first, h0, StatesAlong(engine, h0, start, path));
 }
 
-ChannelMean MeanOverChannels(const model::EngineInfo& info, const model::Hidden& state) {
-  ChannelMean mean{info.image_width / 8, info.image_height / 8, {}};
+report::ValueGrid MeanOverChannels(const model::EngineInfo& info, const model::Hidden& state) {
+  report::ValueGrid mean{info.image_width / 8, info.image_height / 8, {}};
   const auto places = static_cast<std::size_t>(mean.width) * mean.height;
   const std::size_t channels = state.size() / places;
   mean.values.assign(places, 0.0F);
@@ -36,33 +31,6 @@ ChannelMean MeanOverChannels(const model::EngineInfo& info, const model::Hidden&
     mean.values[i % places] += state[i] / static_cast<float>(channels);
   }
   return mean;
-}
-
-Range RangeOf(const std::vector<ChannelMean>& means) {
-  Range range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-  for (const ChannelMean& mean : means) {
-    for (const float value : mean.values) {
-      range.low = std::min(range.low, static_cast<double>(value));
-      range.high = std::max(range.high, static_cast<double>(value));
-    }
-  }
-  return range;
-}
-
-sim::Image HeatMap(const ChannelMean& mean, const Range& range) {
-  const double span = std::max(1e-9, range.high - range.low);
-  sim::Image image{mean.width, mean.height, {}};
-  for (const float value : mean.values) {
-    const Color color = HeatColor((value - range.low) / span);
-    image.rgb.insert(image.rgb.end(), {color.r, color.g, color.b});
-  }
-  return image;
-}
-
-double MeanAbsoluteError(const sim::Image& a, const sim::Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(a.rgb[i] - b.rgb[i]);
-  return a.rgb.empty() ? 0 : sum / 255 / static_cast<double>(a.rgb.size());
 }
 
 }  // namespace prospect::figures

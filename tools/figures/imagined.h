@@ -4,6 +4,7 @@
 
 #include "model/engine.h"
 #include "planner/path.h"
+#include "report/heat_map.h"
 #include "sim/image.h"
 #include "tools/figures/loaded_model.h"
 
@@ -18,24 +19,7 @@ std::vector<model::Hidden> StatesAlong(model::Engine* engine, const model::Hidde
 std::vector<sim::Image> PicturesAlong(const LoadedModel& loaded, const sim::Image& first,
                                       const sim::Image& seen, const planner::Path& path);
 
-/// A hidden state's channel mean at each place of its grid, row by row. The grid is the picture's,
-/// divided by 8.
-struct ChannelMean {
-  int width = 0, height = 0;
-  std::vector<float> values;
-};
-ChannelMean MeanOverChannels(const model::EngineInfo& info, const model::Hidden& state);
-
-/// The lowest and the highest of several means.
-struct Range {
-  double low = 0, high = 1;
-};
-Range RangeOf(const std::vector<ChannelMean>& means);
-
-/// A pixel for each place, `range` from dark to bright.
-sim::Image HeatMap(const ChannelMean& mean, const Range& range);
-
-/// Mean absolute difference of two pictures of one size, as a share of full range.
-double MeanAbsoluteError(const sim::Image& a, const sim::Image& b);
+/// A hidden state's channel mean at each place of its grid, which is the picture's divided by 8.
+report::ValueGrid MeanOverChannels(const model::EngineInfo& info, const model::Hidden& state);
 
 }  // namespace prospect::figures

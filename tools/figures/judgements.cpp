@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace prospect::figures {
+
 namespace {
 
 // Asks the heads about one trial.

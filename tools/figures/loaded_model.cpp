@@ -10,6 +10,7 @@
 #include "model/weights.h"
 
 namespace prospect::figures {
+
 namespace {
 
 model::NetworkConfig ConfigOf(const model::WeightsFile& file, const std::string& path) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <thread>
 
+#include "base/hash.h"
 #include "base/lock.h"
 #include "model/engine.h"
 #include "model/jigsaws/gestures.h"
@@ -24,6 +25,9 @@
 #include "tools/figures/variants.h"
 
 namespace prospect::figures {
+
+using report::Page;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,11 +224,9 @@ Page Make(const std::string& name, const Options& options, const Studio& studio)
 }
 
 std::string About(const Options& options, const Studio& studio) {
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx",
-                static_cast<unsigned long long>(studio.own.engine->weights_hash()));
   return "Task " + options.task + "; weights " + fs::path(studio.weights).filename().string() +
-         " (hash " + hash + "), data set " + fs::path(options.data).filename().string() +
+         " (hash " + base::HexText(studio.own.engine->weights_hash()) + "), data set " +
+         fs::path(options.data).filename().string() +
          ", test trials only; `./prospect figures --task " + options.task + " --seed " +
          std::to_string(options.seed) + " --trials " + std::to_string(options.trials) +
          " --samples " + std::to_string(options.samples) + "`.";

@@ -4,10 +4,16 @@
 #include <map>
 #include <set>
 
-#include "sim/random.h"
-#include "tools/figures/heat_panel.h"
+#include "base/random.h"
+#include "report/heat_map.h"
+#include "report/image_edit.h"
+#include "base/number_format.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kGap = 14, kBetween = 14;
@@ -54,12 +60,12 @@ Example ExampleOf(const Chain& chain, const TaskTable& table, const LoadedModel&
 
 std::string Errors(const Example& example, std::size_t step) {
   const Example::Step& s = example.steps[step];
-  return "MAE " + Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) + "; seen " +
-         Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
+  return "MAE " + base::Number("%.4f", MeanAbsoluteError(s.imagined, s.truth)) + "; seen " +
+         base::Number("%.4f", MeanAbsoluteError(example.seen, s.truth));
 }
 
 /// Returns the y below.
-int DrawExample(Sheet* sheet, int y, const Example& example) {
+int DrawExample(Canvas* sheet, int y, const Example& example) {
   const int factor = Factor(example.seen);
   const int width = example.seen.width * factor, height = example.seen.height * factor;
   const std::string trial =
@@ -80,7 +86,7 @@ int DrawExample(Sheet* sheet, int y, const Example& example) {
     sheet->Text(x, top + height + 3, Errors(example, i), kSmallStyle);
     x += 2 * width + kGap + kBetween;
   }
-  return top + height + 3 + Sheet::LineHeight(kSmallStyle) + 8;
+  return top + height + 3 + Canvas::LineHeight(kSmallStyle) + 8;
 }
 
 }  // namespace
@@ -91,7 +97,7 @@ std::vector<Chain> DrawnChains(const HeldOut& held_out, int count, std::uint64_t
   std::map<int, int> used;  // how often each first action was chosen
   std::set<std::pair<std::size_t, std::size_t>> taken;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
-  sim::Random random(seed);
+  base::Random random(seed);
   for (int turn = 0; turn < kMostTurns && static_cast<int>(chains.size()) < count; ++turn) {
     const std::size_t k = order[static_cast<std::size_t>(turn) % order.size()];
     SeenTrial trial = held_out.Read(k);
@@ -122,7 +128,7 @@ Page DrawPredictions(const std::vector<Chain>& chains, const TaskTable& table,
   for (const Chain& chain : chains) examples.push_back(ExampleOf(chain, table, own));
   const sim::Image& one = examples.front().seen;
   const int width = one.width * Factor(one);
-  Sheet sheet(std::max(kLeastWidth, 2 * kMargin + 5 * width + 3 * kGap + 2 * kBetween));
+  Canvas sheet(std::max(kLeastWidth, 2 * kMargin + 5 * width + 3 * kGap + 2 * kBetween));
   const std::string& world = chains.front().trial.labels.world_version;
   const bool simulated = world.find("simulated") != std::string::npos;
   int y = DrawHeading(&sheet, "What comes next: " + own.engine->info().task +
@@ -141,7 +147,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
   const int factor = Factor(pictures.front());
   const int width = pictures.front().width * factor, height = pictures.front().height * factor;
   const int count = static_cast<int>(pictures.size());
-  Sheet sheet(std::max(kLeastWidth, 2 * kMargin + count * (width + kGap)));
+  Canvas sheet(std::max(kLeastWidth, 2 * kMargin + count * (width + kGap)));
   const int y = DrawHeading(&sheet, "What the encoder keeps: " + own.engine->info().task);
   int x = kMargin;
   for (const sim::Image& picture : pictures) {
@@ -149,7 +155,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
     const sim::Image again = own.paint(picture, h, {h}).front();
     sheet.Picture(x, y, picture, factor);
     sheet.Picture(x, y + height + 4, again, factor);
-    sheet.Text(x, y + 2 * height + 7, "MAE " + Number("%.4f", MeanAbsoluteError(picture, again)),
+    sheet.Text(x, y + 2 * height + 7, "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, again)),
                kSmallStyle);
     x += width + kGap;
   }
@@ -160,7 +166,7 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
 }
 
 std::vector<sim::Image> DrawnPictures(const HeldOut& held_out, int count, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   std::vector<sim::Image> pictures;
   const std::vector<std::size_t> order = held_out.Shuffled(seed);
   for (int i = 0; i < count; ++i) {

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 
-#include "sim/random.h"
-#include "tools/figures/heat_panel.h"
+#include "base/random.h"
+#include "report/heat_map.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kColumns = 7, kTransforms = 200;
 constexpr int kColumn = kSide + 14, kLabel = 110, kScale = 64;
 
 model::Hidden DrawState(int size, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   model::Hidden state(static_cast<std::size_t>(size));
   for (float& value : state) value = static_cast<float>(random.Uniform());
   return state;
@@ -20,7 +24,7 @@ model::Hidden DrawState(int size, std::uint64_t seed) {
 
 struct Column {
   sim::Image before, after;
-  ChannelMean mean_before, mean_after;
+  ValueGrid mean_before, mean_after;
 };
 
 Column MakeColumn(const TaskTable& table, const LoadedModel& loaded, const sim::Image& scene,
@@ -36,7 +40,7 @@ Column MakeColumn(const TaskTable& table, const LoadedModel& loaded, const sim::
   return {pictures[0], pictures[1], MeanOverChannels(info, start), MeanOverChannels(info, end)};
 }
 
-void DrawColumn(Sheet* sheet, int x, int y, const Column& column, const Range& range) {
+void DrawColumn(Canvas* sheet, int x, int y, const Column& column, const Range& range) {
   const int factor = FactorFor(std::max(column.before.width, column.before.height));
   const int step = kSide + 10;
   DrawHeat(sheet, x, y, column.mean_before, range);
@@ -50,15 +54,15 @@ void DrawColumn(Sheet* sheet, int x, int y, const Column& column, const Range& r
 Page DrawRandomStates(const TaskTable& table, const LoadedModel& loaded, const sim::Image& scene,
                       std::uint64_t seed) {
   std::vector<Column> columns;
-  std::vector<ChannelMean> means;
+  std::vector<ValueGrid> means;
   for (int i = 0; i < kColumns; ++i) {
     columns.push_back(
-        MakeColumn(table, loaded, scene, sim::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
+        MakeColumn(table, loaded, scene, base::MixSeeds({seed, static_cast<std::uint64_t>(i)})));
     means.push_back(columns.back().mean_before);
     means.push_back(columns.back().mean_after);
   }
   const Range range = RangeOf(means);
-  Sheet sheet(2 * kMargin + kLabel + kColumns * kColumn + kScale);
+  Canvas sheet(2 * kMargin + kLabel + kColumns * kColumn + kScale);
   const int y = DrawHeading(&sheet, "What transforms make of noise: " + loaded.engine->info().task);
   const char* labels[] = {"random hidden state", "its decoding", "after 200 transforms",
                           "its decoding"};

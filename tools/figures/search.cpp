@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <set>
 
+#include "report/heat_map.h"
+#include "base/number_format.h"
 #include "tools/evaluate/engine_model.h"
-#include "tools/figures/heat_panel.h"
+#include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"
-#include "tools/figures/strip.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kMostTried = 6;
@@ -60,7 +64,7 @@ std::string RuledOut(const SearchStory& story, const TaskTable& table) {
   for (const planner::Future& future : story.plan.rejected) {
     if (future.rejection != planner::Rejection::kNotPermitted || future.path.size() != 1) continue;
     names += (names.empty() ? "" : ", ") + table.Name(future.path.front()) +
-             Number(" (p %.3f)", future.steps.back().prior);
+             base::Number(" (p %.3f)", future.steps.back().prior);
   }
   return names;
 }
@@ -76,7 +80,7 @@ std::string Tally(const SearchStory& story) {
 }
 
 // What the camera sees, and beside it how the search ended. Returns the y below.
-int DrawTop(Sheet* sheet, int y, const SceneSearch& scene, const TaskTable& table) {
+int DrawTop(Canvas* sheet, int y, const SceneSearch& scene, const TaskTable& table) {
   sheet->Picture(kMargin, y, scene.seen, FactorFor(std::max(scene.seen.width, scene.seen.height)));
   const int x = kMargin + kSide + 14, width = sheet->width() - x - kMargin;
   int below =
@@ -130,7 +134,7 @@ Page DrawSearch(const SceneSearch& scene, const TaskTable& table, const LoadedMo
   for (const Tried& tried : shown) {
     strips.push_back(StripOf(tried, scene, table, loaded, parameters));
   }
-  Sheet sheet(std::max(kLeastWidth, StripsWidth(strips)));
+  Canvas sheet(std::max(kLeastWidth, StripsWidth(strips)));
   int y = DrawHeading(&sheet, "One search, and what it rejected: " + loaded.engine->info().task);
   y = DrawStrips(&sheet, DrawTop(&sheet, y, scene, table), strips);
   return Finish(&sheet, y, "search.png", Caption(scene, parameters));

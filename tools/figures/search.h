@@ -4,9 +4,9 @@
 
 #include "model/engine.h"
 #include "planner/search_parameters.h"
+#include "report/page.h"
 #include "tools/figures/held_out.h"
 #include "tools/figures/loaded_model.h"
-#include "tools/figures/page.h"
 #include "tools/figures/search_story.h"
 #include "tools/figures/task_table.h"
 
@@ -25,7 +25,7 @@ SceneSearch FindSearch(const HeldOut& held_out, const TaskTable& table, model::E
                        const planner::SearchParameters& parameters, int most, std::uint64_t seed);
 
 /// search.png: the plan that was chosen, what else was imagined first, and why it was not chosen.
-Page DrawSearch(const SceneSearch& scene, const TaskTable& table, const LoadedModel& loaded,
-                const planner::SearchParameters& parameters);
+report::Page DrawSearch(const SceneSearch& scene, const TaskTable& table, const LoadedModel& loaded,
+                        const planner::SearchParameters& parameters);
 
 }  // namespace prospect::figures

@@ -5,10 +5,13 @@
 #include <set>
 
 #include "planner/search.h"
-#include "tools/figures/page.h"
-#include "tools/figures/strip.h"
+#include "base/number_format.h"
+#include "tools/figures/cells.h"
 
 namespace prospect::figures {
+
+using report::Number;
+
 namespace {
 
 constexpr int kAllFutures = 100000;
@@ -155,13 +158,13 @@ std::string Verdict(const Tried& tried, const SearchStory& story,
                     const planner::SearchParameters& parameters) {
   switch (tried.fate) {
     case Fate::kChosen:
-      return Number("chosen: score %.2f", tried.score);
+      return base::Number("chosen: score %.2f", tried.score);
     case Fate::kPossible:
-      return "possible, but less likely: score " + Number("%.2f", tried.score) +
-             Number(" against %.2f", story.plan.best.score);
+      return "possible, but less likely: score " + base::Number("%.2f", tried.score) +
+             base::Number(" against %.2f", story.plan.best.score);
     case Fate::kAllRefused:
       return "rejected: p forbids every action that could follow" +
-             Number(" (p < %.2f)", parameters.p_min);
+             base::Number(" (p < %.2f)", parameters.p_min);
     case Fate::kUnfinished:
       return "not followed to its end";
     case Fate::kNotDone:

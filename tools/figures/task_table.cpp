@@ -4,25 +4,21 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "base/hash.h"
+#include "base/random.h"
 #include "model/dataset.h"
 #include "model/jigsaws/gestures.h"
-#include "sim/random.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/decider.h"
 
 namespace prospect::figures {
+
 namespace {
 
 std::string NameOf(const sim::ActionSpec& action) {
   std::string name = action.kind + " " + action.object;
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
-}
-
-std::string Hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
 }
 
 /// Any gesture may follow any other, as far as the table goes: videos of people say no more.
@@ -48,7 +44,7 @@ TaskTable TableOf(const std::string& task) {
   const auto world = sim::MakeTask(task);
   TaskTable table;
   table.rules = tools::RulesOf(world->spec());
-  table.hash = Hexadecimal(world->spec().Hash());
+  table.hash = base::HexText(world->spec().Hash());
   for (const sim::ActionSpec& action : world->spec().actions) table.names.push_back(NameOf(action));
   return table;
 }
@@ -74,7 +70,7 @@ std::vector<int> TaskTable::Onward(const planner::Path& path) const {
 }
 
 std::vector<int> RandomWalk(const planner::TaskRules& rules, int count, std::uint64_t seed) {
-  sim::Random random(seed);
+  base::Random random(seed);
   std::vector<int> walk;
   int last = rules.num_actions;
   while (static_cast<int>(walk.size()) < count) {

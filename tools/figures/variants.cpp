@@ -4,10 +4,17 @@
 #include <filesystem>
 #include <set>
 
+#include "base/text.h"
 #include "model/training/variants.h"
-#include "tools/figures/heat_panel.h"
+#include "report/heat_map.h"
+#include "report/image_edit.h"
+#include "base/number_format.h"
+#include "tools/figures/imagined.h"
 
 namespace prospect::figures {
+
+using namespace report;
+
 namespace {
 
 constexpr int kColumn = kSide + 14, kLabel = 40;
@@ -45,15 +52,15 @@ Pair Imagine(const Chain& chain, const LoadedModel& loaded) {
   return {pictures[0], pictures[1]};
 }
 
-void DrawPrediction(Sheet* sheet, int x, int y, const sim::Image& picture,
+void DrawPrediction(Canvas* sheet, int x, int y, const sim::Image& picture,
                     const sim::Image& truth) {
   sheet->Picture(x, y, picture, FactorFor(std::max(picture.width, picture.height)));
   sheet->Centered(x + kSide / 2, y + kSide + 3,
-                  "MAE " + Number("%.4f", MeanAbsoluteError(picture, truth)), kSmallStyle);
+                  "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, truth)), kSmallStyle);
 }
 
 // What was seen and what is true. Returns the x of the first prediction.
-int DrawTruth(Sheet* sheet, int x, int y, const Chain& chain) {
+int DrawTruth(Canvas* sheet, int x, int y, const Chain& chain) {
   const Slots slots = SlotsOf(chain);
   const auto& clean = chain.trial.clean;
   const int factor = FactorFor(std::max(clean[0].width, clean[0].height));
@@ -92,14 +99,14 @@ int BlockWidth(const std::vector<ColumnModel>& models) {
 int HeadingHeight(const std::vector<Chain>& chains, const TaskTable& table, int width) {
   int height = 0;
   for (const Chain& chain : chains) {
-    Sheet scratch(width);
+    Canvas scratch(width);
     height = std::max(height, scratch.Paragraph(0, 0, width, HeadingOf(chain, table), kHeadStyle));
   }
   return height;
 }
 
 // Below its heading. Returns the y below.
-int DrawExample(Sheet* sheet, int x, int y, const Chain& chain,
+int DrawExample(Canvas* sheet, int x, int y, const Chain& chain,
                 const std::vector<ColumnModel>& models) {
   const int middle = x + kLabel + kSide / 2;
   const int top = sheet->Centered(middle, y, "x", kBodyStyle) + 2;
@@ -116,12 +123,6 @@ int DrawExample(Sheet* sheet, int x, int y, const Chain& chain,
   return top + 2 * kRow + 12;
 }
 
-std::string Listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string Caption(const VariantSet& variants) {
   std::string caption =
       "Held-out examples, two rows each. x: what the camera saw when the first action began. "
@@ -129,7 +130,7 @@ std::string Caption(const VariantSet& variants) {
       "imagines from x, as it is decoded, in the light of the trial's first picture: above after "
       "the first action (x1), below after both (x2), and under it the mean absolute error against "
       "the truth, as a share of full range.";
-  if (!variants.absent.empty()) caption += " Not trained: " + Listed(variants.absent) + ".";
+  if (!variants.absent.empty()) caption += " Not trained: " + base::Joined(variants.absent) + ".";
   return caption;
 }
 
@@ -182,7 +183,7 @@ Page DrawVariants(const std::vector<Chain>& chains, const TaskTable& table,
   models.push_back({own_name, own});
   const int width = BlockWidth(models) + 10;
   const std::size_t across = std::max<std::size_t>(1, kMostAcross / (models.size() + 3));
-  Sheet sheet(std::max(kLeastWidth, 2 * kMargin + static_cast<int>(across) * width));
+  Canvas sheet(std::max(kLeastWidth, 2 * kMargin + static_cast<int>(across) * width));
   int y = DrawHeading(&sheet, "What the models imagine: " + own.engine->info().task);
   const int text = BlockWidth(models) - 10, height = HeadingHeight(chains, table, text);
   int below = y;

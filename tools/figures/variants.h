@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "report/page.h"
 #include "tools/figures/held_out.h"
 #include "tools/figures/loaded_model.h"
-#include "tools/figures/page.h"
 #include "tools/figures/task_table.h"
 
 namespace prospect::figures {
@@ -38,7 +38,8 @@ std::vector<Chain> ChooseChains(const HeldOut& held_out, const TaskTable& table,
 /// variants.png: what each model imagines for the same pictures and actions, beside what the
 /// camera then saw, with the mean absolute error.
 /// @param own the model of --weights, the last column @param own_name its heading
-Page DrawVariants(const std::vector<Chain>& chains, const TaskTable& table,
-                  const VariantSet& variants, const LoadedModel& own, const std::string& own_name);
+report::Page DrawVariants(const std::vector<Chain>& chains, const TaskTable& table,
+                          const VariantSet& variants, const LoadedModel& own,
+                          const std::string& own_name);
 
 }  // namespace prospect::figures

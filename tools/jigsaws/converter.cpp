@@ -9,8 +9,8 @@
 #include "model/jigsaws/gestures.h"
 #include "model/jigsaws/transcription.h"
 #include "model/trial_set_writer.h"
+#include "report/video_reader.h"
 #include "tools/common/progress.h"
-#include "tools/jigsaws/video_frames.h"
 
 namespace prospect::tools {
 namespace {
@@ -103,7 +103,7 @@ class Converter {
     const std::string path = (folder_ / "transcriptions" / (text + ".txt")).string();
     if (!fs::is_regular_file(path)) throw DataError(path + ": is missing");
     Transcription transcription = model::jigsaws::ReadTranscription(path);
-    VideoFrames video((folder_ / "video" / (text + kLeftCamera)).string());
+    report::VideoReader video((folder_ / "video" / (text + kLeftCamera)).string());
     model::Trial trial;
     trial.seed = name.seed();
     trial.width = model::jigsaws::kWidth;
@@ -124,7 +124,7 @@ class Converter {
 
   // Returns the numbers of the frames that were copied. A video that ends early cuts the
   // transcription.
-  std::vector<int> CopyFrames(VideoFrames* video, const std::string& path,
+  std::vector<int> CopyFrames(report::VideoReader* video, const std::string& path,
                               Transcription* transcription, model::TrialSetWriter* writer) const {
     const KeptFrames keeps(*transcription, options_.every);
     std::vector<int> kept;

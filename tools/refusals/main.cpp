@@ -12,10 +12,10 @@
 #include "model/calibration.h"
 #include "model/dataset.h"
 #include "model/weights.h"
+#include "report/refusal_plot.h"
 #include "tools/common/extent.h"
 #include "tools/common/torch_main.h"
 #include "tools/evaluate/calibrate.h"
-#include "tools/refusals/plot.h"
 #include "tools/refusals/report.h"
 
 namespace prospect::tools {
@@ -120,7 +120,7 @@ int Main(int argc, char** argv) {
     figures.push_back(MeasureRefusals(named.sample, named.task, options.measure));
     std::cout << RefusalTable(figures.back()) << model::CurveTable(named.sample);
   }
-  if (!options.plot_file.empty()) PlotRefusals(options.plot_file, figures);
+  if (!options.plot_file.empty()) report::WriteRefusalPlot(options.plot_file, figures);
   if (!options.json_file.empty()) base::WriteJsonFile(options.json_file, figures, 1);
   return base::StopRequested() ? kExitInterrupted : 0;
 }

@@ -4,10 +4,10 @@
 #include <map>
 #include <mutex>
 
+#include "base/sensor_noise.h"
 #include "model/networks/light.h"
 #include "model/training/parallel.h"
 #include "model/training/picture_measures.h"
-#include "sim/sensor_noise.h"
 #include "tools/tables/examples.h"
 
 namespace prospect::tools {
@@ -42,8 +42,8 @@ TrialPictures PicturesOf(model::Trial trial) {
   TrialPictures pictures;
   pictures.clean = AsPictures(&trial.images, trial);
   for (int i = 0; i < trial.frames(); ++i) {
-    sim::AddSensorNoise(trial.images.data() + i * trial.frame_bytes(), trial.frame_bytes(),
-                        trial.seed, i, trial.image_noise);
+    base::AddSensorNoise(trial.images.data() + i * trial.frame_bytes(), trial.frame_bytes(),
+                         trial.seed, i, trial.image_noise);
   }
   pictures.seen = AsPictures(&trial.images, trial);
   trial.images.clear();

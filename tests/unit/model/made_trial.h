@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "model/hash.h"
+#include "base/hash.h"
 #include "model/trial.h"
 
 namespace prospect::model {
@@ -36,7 +36,7 @@ inline Trial MadeTrial(std::uint64_t seed, int segments = 2, bool fails = false,
     t.dones.push_back(i == segments * length);
     for (int p = 0; p < size * size; ++p) {
       const bool inside = p / size < size / 4 && p % size / (size / 4) == (s + 1) % 4;
-      const auto base = static_cast<std::uint8_t>(60 + Mix64(seed) % 60);
+      const auto base = static_cast<std::uint8_t>(60 + base::Mix64(seed) % 60);
       for (int c = 0; c < 3; ++c) {
         t.images.push_back(inside && c == action_of(s) % 3 ? std::uint8_t{250} : base);
       }

@@ -24,6 +24,8 @@ TEST(Path, IsPrintedByItsActions) {
 // The hash crosses process and machine borders: it must never change.
 TEST(Path, HashIsFixedAndTellsPathsApart) {
   EXPECT_EQ(HashPath({}), 0xcbf29ce484222325ULL);
+  EXPECT_EQ(HashPath({3, 0, 12}), 0x7b4fc0cd3cc2c18eULL);
+  EXPECT_EQ(HashCombine(7, 9), 0x5de186dcba779207ULL);
   EXPECT_EQ(HashPath({1, 2}), ExtendHash(ExtendHash(kRootHash, 1), 2));
   std::set<std::uint64_t> seen;
   for (int a = 0; a < 40; ++a) {

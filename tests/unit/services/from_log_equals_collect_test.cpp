@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
+#include "base/sensor_noise.h"
 #include "services/from_log/log_importer.h"
 #include "services/simulator/scene.h"
-#include "sim/sensor_noise.h"
 #include "sim/task_factory.h"
 #include "tests/unit/services/log_writer.h"
 #include "tools/collect/trial_recorder.h"
@@ -65,8 +65,8 @@ model::Trial Import(const std::string& path) {
 std::vector<std::uint8_t> AsRead(const model::Trial& trial) {
   std::vector<std::uint8_t> images = trial.images;
   for (int i = 0; i < trial.frames(); ++i) {
-    sim::AddSensorNoise(images.data() + static_cast<std::size_t>(i) * trial.frame_bytes(),
-                        trial.frame_bytes(), trial.seed, i, trial.image_noise);
+    base::AddSensorNoise(images.data() + static_cast<std::size_t>(i) * trial.frame_bytes(),
+                         trial.frame_bytes(), trial.seed, i, trial.image_noise);
   }
   return images;
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/random.h"
+#include "base/random.h"
 
 namespace prospect::sim {
 namespace {
@@ -54,7 +54,7 @@ double SampledDistance(const Footprint& a, const Pose2& pa, const Footprint& b, 
 }
 
 TEST(Footprint, AgreesWithSamplingAndIsSymmetric) {
-  Random random(3);
+  base::Random random(3);
   for (int i = 0; i < 20; ++i) {
     const Footprint a = Footprint::Rectangle(random.Uniform(0.2, 2), random.Uniform(0.2, 2));
     const Footprint b = Footprint::Rectangle(random.Uniform(0.2, 2), random.Uniform(0.2, 2));

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
+#include "base/random.h"
 #include "sim/navigation/navigation_task.h"
-#include "sim/random.h"
 #include "sim/rollout.h"
 
 namespace prospect::sim {
@@ -24,9 +24,9 @@ class HashSink : public FrameSink {
 
   void OnFrame(const Image& image, const Progress& progress) override {
     const std::vector<double> state = task_.RobotState();
-    hash_ = Fnv1a(image.rgb.data(), image.rgb.size(), hash_);
-    hash_ = Fnv1a(state.data(), state.size() * sizeof(double), hash_);
-    hash_ = Fnv1a(progress.reason.data(), progress.reason.size(), hash_);
+    hash_ = base::HashBytes(image.rgb.data(), image.rgb.size(), hash_);
+    hash_ = base::HashBytes(state.data(), state.size() * sizeof(double), hash_);
+    hash_ = base::HashBytes(progress.reason.data(), progress.reason.size(), hash_);
     ++frames_;
   }
 
@@ -43,7 +43,7 @@ class HashSink : public FrameSink {
 std::uint64_t TrialHash(Task& task, std::uint64_t seed) {
   task.Reset(seed);
   HashSink sink(task);
-  Random random(seed);
+  base::Random random(seed);
   sink.OnFrame(task.Observe(), task.progress());
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
     RunAction(task, legal[random.Below(static_cast<int>(legal.size()))], &sink);

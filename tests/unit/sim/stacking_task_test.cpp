@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 #include "sim/rollout.h"
 #include "sim/tabletop/scene_file.h"
 
@@ -229,8 +229,8 @@ std::uint64_t TrialHash(Task& task, std::uint64_t seed, const std::vector<int>& 
   RunPlan(task, plan, nullptr);
   const std::vector<double> state = task.RobotState();
   const Image image = task.Observe();
-  std::uint64_t hash = Fnv1a(state.data(), state.size() * sizeof(double));
-  return Fnv1a(image.rgb.data(), image.rgb.size(), hash);
+  std::uint64_t hash = base::HashBytes(state.data(), state.size() * sizeof(double));
+  return base::HashBytes(image.rgb.data(), image.rgb.size(), hash);
 }
 
 TEST(StackingTask, RepeatsBitForBitAlsoInThreads) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/random.h"
 #include "sim/suturing/endoscope.h"
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/motion.h"
@@ -53,7 +54,7 @@ TEST(SuturingGestures, SuccessorsUseTheTenOfSuturing) {
 
 TEST(SuturingGestures, TheChainKeepsToTheTableAndEndsOnlyWhenAllIsSewn) {
   const std::vector<std::vector<int>> successors = SuturingSuccessors();
-  Random random(3);
+  base::Random random(3);
   std::set<std::pair<int, int>> seen;
   for (int round = 0; round < 300; ++round) {
     for (int from = 0; from <= kGestures; ++from) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 #include "sim/rollout.h"
 #include "sim/suturing/gestures.h"
 #include "sim/suturing/needle.h"
@@ -281,10 +281,10 @@ std::uint64_t CourseHash(SuturingTask& task, std::uint64_t seed) {
     while (task.progress().action_state == ActionState::kRunning) {
       task.Tick();
       const std::vector<double> state = task.RobotState();
-      hash = Fnv1a(state.data(), state.size() * sizeof(double), hash);
+      hash = base::HashBytes(state.data(), state.size() * sizeof(double), hash);
       if (++frame % 20 != 0) continue;
       const Image image = task.Observe();
-      hash = Fnv1a(image.rgb.data(), image.rgb.size(), hash);
+      hash = base::HashBytes(image.rgb.data(), image.rgb.size(), hash);
     }
   }
   return hash;

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "sim/fnv.h"
+#include "base/hash.h"
 #include "sim/tabletop/scene_file.h"
 
 namespace prospect::sim {
@@ -198,7 +198,7 @@ std::uint64_t RunHash() {
   }
   std::uint64_t hash = 1;
   for (const BodyState& body : world.Save().bodies) {
-    hash = Fnv1a(body.position, sizeof body.position, hash);
+    hash = base::HashBytes(body.position, sizeof body.position, hash);
   }
   return hash;
 }

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/random.h"
+#include "base/random.h"
 
 namespace prospect::sim {
 namespace {
 
-JointVector RandomJoints(Random* random) {
+JointVector RandomJoints(base::Random* random) {
   JointVector q;
   for (double& angle : q) angle = random->Uniform(-M_PI, M_PI);
   return q;
@@ -42,7 +42,7 @@ TEST(UrKinematics, StandsUprightAsTheManualDrawsIt) {
 
 TEST(UrKinematics, ForwardUndoesInverseOnManyRandomPoses) {
   const UrKinematics arm;
-  Random random(7);
+  base::Random random(7);
   double worst = 0;
   int solutions = 0;
   for (int i = 0; i < 100'000; ++i) {
@@ -64,7 +64,7 @@ TEST(UrKinematics, ForwardUndoesInverseOnManyRandomPoses) {
 
 TEST(UrKinematics, WorksWhereTheWristIsSingular) {
   const UrKinematics arm;
-  Random random(8);
+  base::Random random(8);
   for (int i = 0; i < 2'000; ++i) {
     JointVector q = RandomJoints(&random);
     q[4] = i % 2 == 0 ? 0 : M_PI;
@@ -79,7 +79,7 @@ TEST(UrKinematics, WorksWhereTheWristIsSingular) {
 
 TEST(UrKinematics, WorksWhereTheElbowIsStraight) {
   const UrKinematics arm;
-  Random random(9);
+  base::Random random(9);
   for (int i = 0; i < 2'000; ++i) {
     JointVector q = RandomJoints(&random);
     q[2] = (i % 3) * 1e-9;
@@ -135,7 +135,7 @@ TEST(UrKinematics, RefusesWhatIsOutOfReachOrNoPose) {
 
 TEST(UrKinematics, OtherArmsOfTheFamily) {
   const UrKinematics ur10e({0.1807, -0.6127, -0.57155, 0.17415, 0.11985, 0.11655});
-  Random random(10);
+  base::Random random(10);
   for (int i = 0; i < 1'000; ++i) {
     const JointVector q = RandomJoints(&random);
     const std::optional<JointVector> found = ur10e.Nearest(ur10e.Flange(q), q);

@@ -2,113 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
+#include "base/sensor_noise.h"
 #include "model/scripted_engine.h"
-#include "sim/sensor_noise.h"
 #include "sim/stacking/action_table.h"
 #include "tests/unit/model/made_trial.h"
 #include "tests/unit/model/test_folder.h"
 #include "tools/figures/calibration.h"
+#include "tools/figures/cells.h"
 #include "tools/figures/futures.h"
 #include "tools/figures/hidden_states.h"
 #include "tools/figures/imagined.h"
 #include "tools/figures/search.h"
-#include "tools/figures/strip.h"
 #include "tools/figures/variants.h"
 
 namespace prospect::figures {
 namespace {
 
 using model::TestFolder;
-
-// --- drawing
-
-double Lightness(const Color& c) { return 0.3 * c.r + 0.59 * c.g + 0.11 * c.b; }
-
-bool IsPaper(const sim::Image& image, int x, int y) {
-  const std::size_t at = (static_cast<std::size_t>(y) * image.width + x) * 3;
-  return image.rgb[at] == 255 && image.rgb[at + 1] == 255 && image.rgb[at + 2] == 255;
-}
-
-// The box around everything that is not paper; empty (right < left) if there is nothing.
-struct Ink {
-  int left, right = -1, top, bottom = -1;
-};
-Ink InkOf(const sim::Image& image) {
-  Ink ink{image.width, -1, image.height, -1};
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      if (IsPaper(image, x, y)) continue;
-      ink = {std::min(ink.left, x), std::max(ink.right, x), std::min(ink.top, y),
-             std::max(ink.bottom, y)};
-    }
-  }
-  return ink;
-}
-
-TEST(HeatColor, GrowsLighterAndIsCutOutside) {
-  for (int i = 0; i < 100; ++i) {
-    EXPECT_LT(Lightness(HeatColor(i / 100.0)), Lightness(HeatColor((i + 1) / 100.0))) << i;
-  }
-  EXPECT_EQ(HeatColor(-3).b, HeatColor(0).b);
-  EXPECT_EQ(HeatColor(3).r, HeatColor(1).r);
-}
-
-TEST(Sheet, RepeatsEachPixelOfAPicture) {
-  sim::Image two{2, 1, {10, 20, 30, 40, 50, 60}};
-  Sheet sheet(20);
-  sheet.Picture(5, 4, two, 3);
-  const sim::Image image = sheet.Cut(12);
-  for (int y = 0; y < 12; ++y) {
-    for (int x = 0; x < 20; ++x) {
-      const bool inside = x >= 5 && x < 11 && y >= 4 && y < 7;
-      const int red = image.rgb[(static_cast<std::size_t>(y) * 20 + x) * 3];
-      EXPECT_EQ(red, inside ? (x < 8 ? 10 : 40) : 255) << x << "," << y;
-    }
-  }
-}
-
-TEST(Sheet, ParagraphsKeepToTheirWidthAndGrowThePaper) {
-  Sheet sheet(400);
-  std::string text;
-  for (int i = 0; i < 200; ++i) text += "word ";
-  const int below = sheet.Paragraph(50, 10, 300, text, kBodyStyle);
-  const sim::Image image = sheet.Cut(below);
-  EXPECT_EQ(image.height, below);
-  const Ink ink = InkOf(image);
-  EXPECT_GE(ink.left, 49);
-  EXPECT_LE(ink.right, 352);
-  EXPECT_GT(ink.bottom, 400);  // twenty lines and more
-}
-
-TEST(Sheet, TextUpwardsStandsOnItsEnd) {
-  Sheet sheet(200);
-  sheet.TextUpwards(20, 100, "observed frequency", kBodyStyle);
-  const Ink ink = InkOf(sheet.Cut(200));
-  EXPECT_GT(ink.bottom - ink.top, 3 * (ink.right - ink.left));
-  EXPECT_NEAR((ink.bottom + ink.top) / 2, 100, 4);
-}
-
-TEST(Page, CaptionIsInThePictureAndBesideIt) {
-  const TestFolder folder;
-  Sheet sheet(400);
-  const int y = DrawHeading(&sheet, "Heading");
-  const Page page = Finish(&sheet, y, "one.png", "What is to be seen.");
-  EXPECT_GT(InkOf(page.picture).bottom, y + 14);
-  WritePage(folder.path().string(), page);
-  WriteCaptions(folder.path().string(), "About all.", {page});
-  std::stringstream text;
-  text << std::ifstream(folder / "captions.md").rdbuf();
-  EXPECT_NE(text.str().find("About all."), std::string::npos);
-  EXPECT_NE(text.str().find("one.png"), std::string::npos);
-  EXPECT_NE(text.str().find("What is to be seen."), std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(folder / "one.png"));
-  EXPECT_THROW(WritePage(folder / "missing", page), model::DiskError);
-  EXPECT_THROW(WriteCaptions(folder / "missing", "", {page}), model::DiskError);
-}
 
 // --- held-out trials
 
@@ -153,7 +65,7 @@ TEST(HeldOut, ReadsTestTrialsOnlyWithTheCamerasNoise) {
   std::vector<std::uint8_t> pixels(trials[1].frame(frame),
                                    trials[1].frame(frame) + trials[1].frame_bytes());
   EXPECT_EQ(trial.clean[slot].rgb, pixels);
-  sim::AddSensorNoise(pixels.data(), pixels.size(), test[1], frame, 0.05);
+  base::AddSensorNoise(pixels.data(), pixels.size(), test[1], frame, 0.05);
   EXPECT_EQ(trial.seen[slot].rgb, pixels);
   EXPECT_NE(trial.seen[slot].rgb, trial.clean[slot].rgb);
 }
@@ -233,29 +145,16 @@ TEST(RandomWalk, FollowsTheTasksGraph) {
 
 // --- hidden states
 
-TEST(ChannelMean, IsOverChannelsAtEachPlace) {
+TEST(MeanOverChannels, IsOverChannelsAtEachPlace) {
   model::EngineInfo info;
   info.image_width = 16;
   info.image_height = 8;
-  const ChannelMean mean = MeanOverChannels(info, {0.F, 1.F, 0.5F, 0.F, 1.F, 0.5F});
+  const report::ValueGrid mean = MeanOverChannels(info, {0.F, 1.F, 0.5F, 0.F, 1.F, 0.5F});
   EXPECT_EQ(mean.width, 2);
   EXPECT_EQ(mean.height, 1);
   ASSERT_EQ(mean.values.size(), 2U);
   EXPECT_FLOAT_EQ(mean.values[0], 0.5F);
   EXPECT_FLOAT_EQ(mean.values[1], 0.5F);
-  const Range range = RangeOf({{2, 1, {0.25F, 0.5F}}, {2, 1, {0.125F, 0.3F}}});
-  EXPECT_DOUBLE_EQ(range.low, 0.125);
-  EXPECT_DOUBLE_EQ(range.high, 0.5);
-  const sim::Image heat = HeatMap({2, 1, {0.125F, 0.5F}}, range);
-  EXPECT_EQ(heat.rgb[0], HeatColor(0).r);
-  EXPECT_EQ(heat.rgb[3], HeatColor(1).r);
-}
-
-TEST(MeanAbsoluteError, IsAShareOfFullRange) {
-  const sim::Image black{1, 2, {0, 0, 0, 0, 0, 0}};
-  const sim::Image other{1, 2, {255, 0, 0, 51, 0, 0}};
-  EXPECT_DOUBLE_EQ(MeanAbsoluteError(black, other), 1.2 / 6);
-  EXPECT_DOUBLE_EQ(MeanAbsoluteError(other, other), 0);
 }
 
 // --- futures
@@ -324,24 +223,7 @@ TEST(ParallelCourses, EndWhereTheyFailAndBestComesFirst) {
   for (const Course& course : courses) EXPECT_NE(course.path.front(), 3);
 }
 
-TEST(Strips, LongVerdictsOfShortStripsDoNotTouch) {
-  const sim::Image picture{64, 64, std::vector<std::uint8_t>(64 * 64 * 3, 90)};
-  Strip strip;
-  strip.heading = "Future 1";
-  strip.cells = {{"1. one", picture, {"V 0.50"}, false}};
-  strip.verdict = "rejected: step 1 would not finish: f 0.02 < 0.10, and it is told at length";
-  Sheet two(900), one(900);
-  const int below = DrawStrips(&two, 0, {strip, strip});
-  DrawStrips(&one, 0, {strip});
-  const int right = InkOf(one.Cut(below)).right;
-  const sim::Image both = two.Cut(below);
-  bool gap = true;  // a column without ink right of the first
-  for (int y = 0; y < below; ++y) gap = gap && IsPaper(both, right + 4, y);
-  EXPECT_TRUE(gap);
-  EXPECT_GT(InkOf(both).right, right + 128) << "the second stands beside the first";
-}
-
-TEST(Strips, FailingStatesAreMarked) {
+TEST(Cells, FailingStatesAreMarked) {
   planner::SearchParameters parameters;
   parameters.v_failed = 0.1;
   planner::Evaluation good, low, undone;

@@ -3,10 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "model/dataset.h"
+#include "report/video_writer.h"
 #include "tests/unit/model/test_folder.h"
 #include "tools/jigsaws/converter.h"
 
@@ -37,13 +36,17 @@ class JigsawsConvertTest : public ::testing::Test {
   }
   /// Red rises from frame to frame; the left half is blue, so that channels and sides show.
   void Film(const std::string& name, int frames = kFrames) const {
-    cv::VideoWriter video(Folder("video/" + name + "_capture1.avi"),
-                          cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, cv::Size(64, 48));
+    report::VideoWriter video(Folder("video/" + name + "_capture1.avi"), 30, 64, 48,
+                              report::VideoFormat::kMotionJpeg);
     for (int i = 1; i <= frames; ++i) {
-      cv::Mat picture(48, 64, CV_8UC3, cv::Scalar(0, 0, 5 * i));
-      picture(cv::Rect(0, 0, 32, 48)) = cv::Scalar(200, 0, 5 * i);
-      video.write(picture);
+      sim::Image picture{64, 48, {}};
+      for (int at = 0; at < 64 * 48; ++at) {
+        const std::uint8_t blue = at % 64 < 32 ? 200 : 0;
+        picture.rgb.insert(picture.rgb.end(), {static_cast<std::uint8_t>(5 * i), 0, blue});
+      }
+      video.Add(picture);
     }
+    video.Finish();
   }
   void Whole(const std::string& name) const {
     Transcribe(name, "3 12 G1\n15 22 G2\n23 37 G6\n");

@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <set>
 
+#include "report/refusal_plot.h"
 #include "tests/unit/model/refusal_sample.h"
 #include "tests/unit/model/test_folder.h"
-#include "tools/refusals/plot.h"
+#include "tests/unit/report/png_size.h"
 #include "tools/refusals/report.h"
 #include "tools/refusals/splits.h"
 
@@ -113,18 +114,15 @@ TEST(Report, TellsTheSameInFiguresAndWords) {
   EXPECT_NE(table.find("made: 400 scenes"), std::string::npos) << table;
 }
 
-TEST(Plot, DrawsAPanelATaskOrSaysThatItCannot) {
+TEST(Plot, HasAPanelATask) {
   const model::TestFolder folder;
   const auto figures = MeasureRefusals(Solvable(400), "made", {});
-  if (!PROSPECT_PICTURES) {
-    EXPECT_THROW(PlotRefusals(folder / "one.png", {figures}), std::invalid_argument);
-    return;
-  }
-  PlotRefusals(folder / "one.png", {figures});
-  PlotRefusals(folder / "two.png", {figures, figures});
-  EXPECT_GT(std::filesystem::file_size(folder / "two.png"),
-            std::filesystem::file_size(folder / "one.png"));
-  EXPECT_THROW(PlotRefusals(folder / "none/one.png", {figures}), std::runtime_error);
+  report::WriteRefusalPlot(folder / "one.png", {figures});
+  report::WriteRefusalPlot(folder / "two.png", {figures, figures});
+  const auto one = report::PngSize(folder / "one.png"), two = report::PngSize(folder / "two.png");
+  EXPECT_GT(two.width, one.width);
+  EXPECT_EQ(two.height, one.height);
+  EXPECT_THROW(report::WriteRefusalPlot(folder / "none/one.png", {figures}), base::DiskError);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "report/whole_mp4.h"
 #include "sim/task_factory.h"
-#include "tools/common/whole_mp4.h"
 #include "tools/evaluate/search_deciders.h"
 
 namespace prospect::tools {
@@ -25,18 +25,17 @@ class SceneVideo : public ::testing::Test {
   const std::unique_ptr<sim::Task> task_ = sim::MakeTask("navigation");
 };
 
-#if PROSPECT_PICTURES
 TEST_F(SceneVideo, IsWholeAndNamedByItsSceneAndEnding) {
   const auto random = MakeRandom();
   const EpisodeRecord episode = RunEpisode(*task_, *random, kScene, 0.01);
   const std::string path = WriteSceneVideo(*task_, kScene, episode, folder_);
   EXPECT_EQ(fs::path(path).filename(),
             std::to_string(kScene) + "-" + ToString(episode.ending) + ".mp4");
-  EXPECT_TRUE(IsWholeMp4(path));
+  EXPECT_TRUE(report::IsWholeMp4(path));
   const auto nothing = MakeNothing();
   const EpisodeRecord refused = RunEpisode(*task_, *nothing, kScene, 0.01);
   const std::string still = WriteSceneVideo(*task_, kScene, refused, folder_);
-  EXPECT_TRUE(IsWholeMp4(still));
+  EXPECT_TRUE(report::IsWholeMp4(still));
   EXPECT_LT(fs::file_size(still), fs::file_size(path)) << "it shows the ticks of the actions, too";
 }
 
@@ -46,11 +45,6 @@ TEST_F(SceneVideo, OfAnotherEpisodeIsRefused) {
   episode.actions.clear();
   EXPECT_THROW(WriteSceneVideo(*task_, kScene, episode, folder_), std::logic_error);
 }
-#else
-TEST_F(SceneVideo, IsRefusedByABuildWithoutOpenCv) {
-  EXPECT_THROW(WriteSceneVideo(*task_, kScene, EpisodeRecord(), folder_), std::runtime_error);
-}
-#endif
 
 }  // namespace
 }  // namespace prospect::tools

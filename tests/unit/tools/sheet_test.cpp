@@ -18,7 +18,6 @@ int InkOf(const sim::Image& sheet, int top, int height) {
 }
 
 TEST(ContactSheet, HasATitleAndTheSeedOfEachRow) {
-  if (!PROSPECT_PICTURES) GTEST_SKIP() << "built without OpenCV";
   const model::TestFolder folder;
   const auto sheet_of = [&](std::uint64_t trial) {
     const std::string path = folder / "trials.h5";

@@ -65,18 +65,6 @@ TEST(RefusalTerms, SayWhatTheCalibrationDoesNotCover) {
             "instead of 30, a goal, where the calibration had the task's own.");
 }
 
-TEST(RiskChart, ShowsTheCurveAndTheThresholdOnIt) {
-  const RefusalTerms terms = TermsOf(Sample(), "paper", {}, false);
-  const std::string chart = RiskChart(terms, 0.5);
-  EXPECT_EQ(chart.rfind("<svg ", 0), 0u);
-  EXPECT_TRUE(Holds(chart, "<polyline "));
-  EXPECT_TRUE(Holds(chart, "<circle ")) << "the threshold";
-  EXPECT_FALSE(Holds(RiskChart(terms, 0.9), "<circle ")) << "above every score";
-  // Half of the wide range: 50 of 80 are attempted at 0.5, at x = 48 + 0.625 * 298.
-  EXPECT_TRUE(Holds(chart, "<circle cx=\"234.2\"")) << chart;
-  EXPECT_EQ(RiskChart({}, 0.5), "");
-}
-
 TEST(ConfidenceSentences, TellSuccessPromisesAndCaveat) {
   RefusalTerms terms = TermsOf(Sample(), "paper", {}, true);
   terms.promises = {"Refuses at most 5 %."};

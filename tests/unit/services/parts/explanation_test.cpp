@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "planner/apart.h"
+#include "base/number_format.h"
 
 namespace prospect::services {
 namespace {
@@ -101,11 +101,11 @@ TEST(WhyLostTest, NumbersThatAreComparedDiffer) {
   const auto why = Why(FutureOf({{1, 0.0999}}, Rejection::kLowValue));
   EXPECT_NE(why.find("to 0.0999 at"), std::string::npos) << why;
   EXPECT_NE(why.find("below 0.1000 a"), std::string::npos) << why;
-  EXPECT_EQ(planner::Apart(0.52, 0.88), "0.52");
-  EXPECT_EQ(planner::Apart(0.8801, 0.8803), "0.8801");
-  EXPECT_EQ(planner::Apart(0.5, 0.5), "0.50");
-  EXPECT_EQ(planner::Apart(0.5, 0.5 + 1e-9), "0.500000");
-  EXPECT_EQ(planner::Apart(0.0316, 0.032, 3), "0.0316");
+  EXPECT_EQ(base::Apart(0.52, 0.88), "0.52");
+  EXPECT_EQ(base::Apart(0.8801, 0.8803), "0.8801");
+  EXPECT_EQ(base::Apart(0.5, 0.5), "0.50");
+  EXPECT_EQ(base::Apart(0.5, 0.5 + 1e-9), "0.500000");
+  EXPECT_EQ(base::Apart(0.0316, 0.032, 3), "0.0316");
 }
 
 TEST(WhyLostTest, AnActionThatWouldFail) {

@@ -1,14 +1,7 @@
 #include "services/executive/report.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-
-#include "services/executive/explanation_pictures.h"
-#include "services/executive/plan_picture.h"
 
 namespace prospect::services {
 namespace {
@@ -104,50 +97,6 @@ TEST(ReportTest, ReasonsThatAreNoTextEndNoEpisode) {
   const auto json = nlohmann::json::parse(ResultJson(record, 4));
   EXPECT_EQ(json.at("reason").get<std::string>().rfind("gripper ", 0), 0u);
   EXPECT_TRUE(json.at("seed").is_null()) << "no simulated scene";
-}
-
-TEST(ReportTest, PictureIsWrittenWithAndWithoutImages) {
-  if (!PROSPECT_PICTURES) GTEST_SKIP() << "built without OpenCV";
-  const std::string path = testing::TempDir() + "plan_picture_" + std::to_string(getpid()) + ".png";
-  EpisodeRecord record = FailedEpisode();
-  WritePlanPicture(record, path);
-  record.first = {2, 2, std::vector<std::uint8_t>(12, 200)};
-  record.searches[0].steps[0].imagined = record.first;
-  WritePlanPicture(record, path);
-  EXPECT_GT(std::filesystem::file_size(path), 1000u);
-  std::filesystem::remove(path);
-  EXPECT_THROW(WritePlanPicture(record, "/nonexistent-folder/plan.png"), std::runtime_error);
-}
-
-// Width and height of a PNG, from its header.
-std::pair<unsigned, unsigned> SizeOf(const std::string& path) {
-  unsigned char head[24] = {};
-  std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(head), sizeof head);
-  const auto number = [&](int at) {
-    return static_cast<unsigned>(head[at] << 24 | head[at + 1] << 16 | head[at + 2] << 8 |
-                                 head[at + 3]);
-  };
-  return {number(16), number(20)};
-}
-
-TEST(ReportTest, PicturesOfLongPlansGoOnBelow) {
-  if (!PROSPECT_PICTURES) GTEST_SKIP() << "built without OpenCV";
-  const std::string folder = testing::TempDir() + "long_plan_" + std::to_string(getpid());
-  std::filesystem::create_directories(folder);
-  EpisodeRecord record = FailedEpisode();
-  record.acts.assign(18, record.acts.front());
-  const Picture seen{2, 2, std::vector<std::uint8_t>(12, 200)};
-  for (auto& act : record.acts) act.picture = seen;
-  WritePlanPicture(record, folder + "/plan.png");
-  Explanation explanation;
-  explanation.chosen.steps.assign(18, {});
-  WriteExplanationPictures(explanation, folder);
-  for (const char* name : {"/plan.png", "/chosen.png"}) {
-    const auto [width, height] = SizeOf(folder + name);
-    EXPECT_LE(width, 1900u) << name;
-    EXPECT_GT(height, 500u) << name;
-  }
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

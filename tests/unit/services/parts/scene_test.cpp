@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/sensor_noise.h"
 #include "lcmtypes/validate.h"
 #include "services/binding/task_messages.h"
 #include "sim/rollout.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::services {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::int64_t kEpisode = 77;
 struct NoisyFrames : sim::FrameSink {
   void OnFrame(const sim::Image& image, const sim::Progress& now) override {
     frames.push_back(image.rgb);
-    sim::AddSensorNoise(frames.back().data(), frames.back().size(), kSeed,
-                        static_cast<std::int64_t>(frames.size()) - 1, 0.01);
+    base::AddSensorNoise(frames.back().data(), frames.back().size(), kSeed,
+                         static_cast<std::int64_t>(frames.size()) - 1, 0.01);
     progress.push_back(now);
   }
   std::vector<std::vector<std::uint8_t>> frames;

@@ -4,23 +4,29 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "lcmtypes/validate.h"
 #include "model/dataset.h"
+#include "report/video_writer.h"
 #include "tests/unit/model/test_folder.h"
 
 namespace prospect::services {
 namespace {
 
+sim::Image Reddish(int red) {
+  sim::Image image{64, 48, {}};
+  for (int i = 0; i < 64 * 48; ++i)
+    image.rgb.insert(image.rgb.end(), {static_cast<std::uint8_t>(red), 0, 0});
+  return image;
+}
+
 class VideoSceneTest : public ::testing::Test {
  protected:
   VideoSceneTest() {
     choice_.video = folder_ / "film.avi";
-    cv::VideoWriter film(choice_.video, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25,
-                         cv::Size(64, 48));
-    for (int i = 1; i <= 20; ++i) film.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar(0, 0, 10 * i)));
+    report::VideoWriter film(choice_.video, 25, 64, 48, report::VideoFormat::kMotionJpeg);
+    for (int i = 1; i <= 20; ++i) film.Add(Reddish(10 * i));
+    film.Finish();
   }
   void Transcribe(const std::string& text) {
     choice_.transcription = folder_ / "film.txt";

@@ -1,0 +1,26 @@
+# Included by ctest, for one gtest program (test_cases.cmake): names its cases as tests. A program that was not built, or
+# that lists nothing, is a test that fails, with the labels of its cases.
+set(listed "")
+if(EXISTS "${program}")
+  execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE listed)
+endif()
+string(REGEX REPLACE "[ \t]*#[^\n]*" "" listed "${listed}")  # values of parameters
+string(REPLACE ";" "\\;" listed "${listed}")
+string(REPLACE "\n" ";" listed "${listed}")
+set(suite "")
+set(count 0)
+foreach(line IN LISTS listed)
+  if(line MATCHES "^([^ ]+[.])$")
+    set(suite ${CMAKE_MATCH_1})
+  elseif(suite AND line MATCHES "^  ([^ ]+)$")
+    set(case ${suite}${CMAKE_MATCH_1})
+    add_test(${prefix}.${case} ${launcher} "${program}" --gtest_filter=${case})
+    set_tests_properties(${prefix}.${case} PROPERTIES LABELS "${labels}" TIMEOUT ${timeout})
+    math(EXPR count "${count} + 1")
+  endif()
+endforeach()
+if(count EQUAL 0)
+  add_test(${prefix}.${name}_LISTS_NO_CASES "${program}" --gtest_list_tests)
+  set_tests_properties(${prefix}.${name}_LISTS_NO_CASES PROPERTIES
+    LABELS "${labels}" TIMEOUT ${timeout} PASS_REGULAR_EXPRESSION "a case")
+endif()

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "services/executive/explanation.h"
+
+namespace prospect::report {
+
+/// Each plan of the explanation as a strip of imagined pictures with V and f under each and the
+/// sentence it lost by: chosen.png, alternative-1.png and so on, what-if.png. Those of an earlier
+/// explanation that this one has no plan for are removed. Throws base::DiskError when a file
+/// cannot be written.
+void WriteExplanationPictures(const services::Explanation& explanation, const std::string& folder);
+
+}  // namespace prospect::report

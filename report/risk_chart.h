@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "services/executive/confidence.h"
+
+namespace prospect::report {
+
+/// Risk against coverage as an SVG element, with the threshold's place on it; empty for a curve of
+/// fewer than two points.
+std::string RiskChart(const services::RefusalTerms& terms, double threshold);
+
+}  // namespace prospect::report
