@@ -23,9 +23,7 @@
 ///     `std::string Defect(const NameOptions& options);` (declared in NAME.h): empty, or what is
 ///     wrong.
 ///  2. cli/table.cpp: one entry.
-///  3. The program: `NameOptions options; if (auto end = cli::Parse("name", argc, argv, options))
-///     return *end;` A program with subcommands of its own looks at argv[1] and hands argc - 1 and
-///     argv + 1 on. It links prospect_cli.
+///  3. The program: a line in its main() (cli/program.h). It links prospect_cli.
 ///  4. Nothing else: help, completion, --dry-run and the tests of tests/unit/cli read the table.
 ///
 /// Rules. An option that may be left out, with a default that only the program knows, is a
@@ -52,6 +50,7 @@ struct Command {
   std::vector<std::string> also = {};       ///< other programs that it starts
   /// Adds the options to an app. Empty: not in this table yet, what was typed goes on unread.
   std::function<Bound(CLI::App&)> define = {};
+  std::string without_opencv = {};  ///< what a build without it lacks: "has no figures"
 };
 
 /// Command::define for options that have Define() and, if need be, Defect().
@@ -68,7 +67,9 @@ std::function<Bound(CLI::App&)> Defined() {
   };
 }
 
-/// Sets an app up as all of ours are: named "./prospect NAME", the command's summary, our help.
+/// Sets an app up as all of ours are: named "./prospect NAME", with the command's summary and our
+/// help. What is no command of the table is named as it is. Of an option that is given twice the
+/// last one counts.
 void SetUp(CLI::App& app, std::string_view command);
 
 /// Parses `arguments` (without the program's name) and looks for the defect. @return the status to
@@ -76,19 +77,5 @@ void SetUp(CLI::App& app, std::string_view command);
 /// nothing: go on
 std::optional<int> ParseArguments(CLI::App& app, std::vector<std::string> arguments,
                                   const std::function<std::string()>& defect);
-
-/// For main() of the program that carries `command` out; as ParseArguments().
-/// @param argv with argv[0], which is not looked at
-template <typename Options>
-std::optional<int> Parse(std::string_view command, int argc, const char* const* argv,
-                         Options& options) {
-  CLI::App app;
-  SetUp(app, command);
-  Define(app, options);
-  return ParseArguments(app, std::vector<std::string>(argv + 1, argv + argc), [&options] {
-    if constexpr (requires { Defect(options); }) return Defect(options);
-    return std::string();
-  });
-}
 
 }  // namespace prospect::cli

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "cli/installation.h"
+
 namespace prospect::cli {
 namespace {
 
@@ -80,7 +82,9 @@ bool IsShown(const CLI::Option* option) { return !option->get_group().empty(); }
 std::string Spelling(const CLI::Option& option) {
   const std::string type = TypeOf(option).first;
   if (!option.nonpositional()) return option.get_name();
-  const std::string name = option.get_name(false, true);
+  std::string name;
+  for (const std::string& letter : option.get_snames()) name += "-" + letter + ", ";
+  name += "--" + option.get_lnames().front();
   return option.get_expected_max() == 0 || type.empty() ? name : name + " " + type;
 }
 
@@ -90,17 +94,16 @@ std::string Overview(const std::vector<Command>& commands) {
   column += kIndent + 2;
   std::string text =
       "Prospect: looks at a scene, imagines what its actions would do, and acts on the best\n"
-      "imagined plan or refuses.\n\nusage: ./prospect COMMAND [OPTION...]\n";
+      "imagined plan or refuses.\n\nusage: " +
+      TypedName() + " COMMAND [OPTION...]\n";
   for (const Group group :
        {Group::kTry, Group::kRun, Group::kLook, Group::kTrain, Group::kMeasure}) {
     text += std::string("\n") + Title(group) + "\n";
     for (const Command& command : commands)
       if (command.group == group) text += Row(command.name, command.summary, column);
   }
-  return text +
-         "\n./prospect COMMAND --help tells the options of one; with --dry-run a command checks "
-         "its\n"
-         "options and does nothing.\n\n"
+  return text + "\n" + TypedName() + " COMMAND --help tells the options of one; " + TypedName() +
+         " --dry-run COMMAND ...\nchecks what was typed and does nothing.\n\n"
          "Exit codes: 0 success, 2 usage, 3 refused, 4 failed or stopped, 5 figure out of "
          "tolerance,\n"
          "10 weights, 11 bus, 12 bus in use, 13 disk, 14 data file, 15 service lost, 16 time-out,\n"
@@ -126,7 +129,10 @@ std::string HelpOf(const CLI::App& app) {
     if (group.empty()) continue;
     text += "\n" + group + ":\n";
     for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group) text += Row(Spelling(*option), WordsOf(*option), kColumn);
+      if (option->get_group() == group && option != app.get_help_ptr())
+        text += Row(Spelling(*option), WordsOf(*option), kColumn);
+    if (group == app.get_help_ptr()->get_group())
+      text += Row(Spelling(*app.get_help_ptr()), WordsOf(*app.get_help_ptr()), kColumn);
   }
   return app.get_footer().empty() ? text : text + "\n" + app.get_footer() + "\n";
 }

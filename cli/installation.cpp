@@ -19,17 +19,27 @@ fs::path SourcesOf(const fs::path& build) {
   return {};
 }
 
-fs::path DataRoot() {
-  const fs::path here = HereFolder();
-  for (const char* installed : {"../share/prospect", "../../share/prospect"}) {
+// Empty: it is not installed.
+fs::path InstalledData() {
+  for (const char* data : {"../share/prospect", "../../share/prospect"}) {
+    const fs::path folder = HereFolder() / data;
     std::error_code none;
-    if (fs::is_directory(here / installed, none)) return (here / installed).lexically_normal();
+    if (fs::is_directory(folder, none)) return folder.lexically_normal();
   }
-  const fs::path sources = SourcesOf(here.parent_path());
-  return sources.empty() ? here.parent_path() : sources;
+  return {};
+}
+
+fs::path DataRoot() {
+  if (IsInstalled()) return InstalledData();
+  const fs::path build = HereFolder().parent_path(), sources = SourcesOf(build);
+  return sources.empty() ? build : sources;
 }
 
 }  // namespace
+
+bool IsInstalled() { return !InstalledData().empty(); }
+
+std::string TypedName() { return IsInstalled() ? "prospect" : "./prospect"; }
 
 std::string ProgramsFolder() {
   const fs::path here = HereFolder();

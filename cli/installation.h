@@ -8,6 +8,12 @@ namespace prospect::cli {
 /// in the sources that BUILD was configured for. Installed: `prospect` in PREFIX/bin, programs in
 /// PREFIX/lib/prospect or beside it, data in PREFIX/share/prospect.
 
+/// Whether the running program lies in an installed tree.
+bool IsInstalled();
+
+/// How a person types it: "prospect" where it is installed, else "./prospect".
+std::string TypedName();
+
 /// The folder of the programs, without a slash at its end.
 std::string ProgramsFolder();
 

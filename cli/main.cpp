@@ -4,24 +4,21 @@
 //   prospect --dry-run COMMAND ...    only checks the arguments: 0, or 2
 //   prospect --programs COMMAND ...   checks them and prints the programs that the command needs
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 
+#include "base/run_main.h"
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/installation.h"
 #include "cli/nearest.h"
+#include "cli/run/invocation.h"
+#include "cli/run/processes.h"
 #include "cli/table.h"
 
 namespace prospect::cli {
 namespace {
-
-using Words = std::vector<std::string>;
 
 enum class Mode { kRun, kDryRun, kPrograms };
 
@@ -43,45 +40,59 @@ const Command* TakeCommand(Words* words) {
   return nullptr;
 }
 
+bool AsksForHelp(const Words& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
 int TellUnknown(const std::string& typed) {
   Words names;
   for (const Command& command : Commands()) names.push_back(command.name);
   const std::string nearest = NearestWord(typed, names);
   return Fail(2, "unknown command '" + typed + "'" +
-                     (nearest.empty() ? "" : "; did you mean " + nearest + "?") +
-                     " (./prospect --help lists all)");
+                     (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " (" +
+                     TypedName() + " --help lists all)");
 }
 
-int Become(const Command& command, const Words& typed) {
-  const std::string path = ProgramsFolder() + "/" + command.program;
-  Words words{path};
+// What a build without OpenCV lacks is told as such.
+int BecomeProgram(const Command& command, const Words& typed) {
+  if (!command.without_opencv.empty()) RequireOpenCv(command.program, command.without_opencv);
+  Words words{PathOf(command.program)};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
   words.insert(words.end(), typed.begin(), typed.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  execv(path.c_str(), argv.data());
-  return Fail(127, path + ": " + std::strerror(errno));
+  return Become(words);
 }
 
-void PrintPrograms(const Command& command) {
-  if (!command.program.empty()) std::printf("%s\n", command.program.c_str());
-  for (const std::string& program : command.also) std::printf("%s\n", program.c_str());
+void Print(const Words& programs) {
+  for (const std::string& program : programs) std::printf("%s\n", program.c_str());
+}
+
+Words ProgramsOf(const Command& command, const Carrier* carrier, const void* options) {
+  if (carrier != nullptr) return carrier->programs(options);
+  Words programs = command.also;
+  if (!command.program.empty()) programs.insert(programs.begin(), command.program);
+  return programs;
 }
 
 int Carry(const Command& command, const Words& typed, Mode mode) {
+  CLI::App app;
+  SetUp(app, command.name);
+  Bound bound;
   if (command.define) {
-    CLI::App app;
-    SetUp(app, command.name);
-    const Bound bound = command.define(app);
+    bound = command.define(app);
+    if (mode == Mode::kPrograms && AsksForHelp(typed)) return 0;
     if (const auto end = ParseArguments(app, typed, bound.defect)) return *end;
   }
   if (mode == Mode::kDryRun) return 0;
+  const Carrier* carrier = FindCarrier(command.name);
   if (mode == Mode::kPrograms) {
-    PrintPrograms(command);
+    Print(ProgramsOf(command, carrier, bound.options.get()));
     return 0;
   }
-  return Become(command, typed);
+  if (carrier != nullptr) return carrier->run(bound.options.get(), {command, app, typed});
+  if (!command.program.empty()) return BecomeProgram(command, typed);
+  return Fail(
+      2, "'" + command.name + "' is for a checkout of the sources: ./prospect " + command.name);
 }
 
 Mode TakeMode(Words* words) {
@@ -98,12 +109,16 @@ int Run(Words words) {
   // wait.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   setenv("OMP_NUM_THREADS", "1", 0);
+  const char* path = std::getenv("PATH");  // where ip lives, too
+  setenv("PATH",
+         ((path == nullptr ? "/usr/bin:/bin" : std::string(path)) + ":/usr/sbin:/sbin").c_str(), 1);
   const Mode mode = TakeMode(&words);
   if (!words.empty() && words.front() == "help") {  // "help train" is "train --help"
     words.erase(words.begin());
     words.push_back("--help");
   }
   if (words.empty() || words.front() == "--help" || words.front() == "-h") {
+    if (mode == Mode::kPrograms) return 0;
     std::fputs(Overview(Commands()).c_str(), stdout);
     return 0;
   }
@@ -116,5 +131,13 @@ int Run(Words words) {
 }  // namespace prospect::cli
 
 int main(int argc, char** argv) {
-  return prospect::cli::Run(std::vector<std::string>(argv + 1, argv + argc));
+  return prospect::RunMain(
+      [&]() -> int {
+        try {
+          return prospect::cli::Run(std::vector<std::string>(argv + 1, argv + argc));
+        } catch (const prospect::cli::Ended& ended) {
+          return ended.status;
+        }
+      },
+      "prospect");
 }

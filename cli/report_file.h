@@ -15,4 +15,11 @@ inline void WriteReport(const ReportOptions& options, const nlohmann::json& repo
   std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 
+/// The same for one that is text already.
+inline void WriteReport(const ReportOptions& options, const std::string& report) {
+  if (options.json.empty()) return;
+  if (options.json != "-") return base::WriteFile(options.json, report);
+  std::cout << report << std::flush;
+}
+
 }  // namespace prospect::cli

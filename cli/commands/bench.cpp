@@ -1,14 +1,11 @@
 #include "cli/commands/bench.h"
 
 #include "cli/options/common.h"
+#include "cli/options/rule.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
 namespace {
-
-void DefineRule(CLI::App& app, std::string& rule) {
-  app.add_option("--rule", rule, "selection rule")->type_name("NAME")->capture_default_str();
-}
 
 void DefineWorkers(CLI::App& app, std::vector<int>& workers) {
   app.add_option("--workers", workers, "numbers of workers")
@@ -84,7 +81,8 @@ void Define(CLI::App& app, BenchSearchOptions& options) {
       ->type_name("N")
       ->transform(Whole(1, 32))
       ->capture_default_str();
-  app.add_flag("!--no-sharing", options.sharing, "workers search apart");
+  app.add_flag("!--no-sharing", options.sharing,
+               "each worker searches a tree of its own, for comparison");
   app.add_flag("!--no-prune", options.prune, "f, V and p cut nothing off: the whole tree is open");
   DefineServers(app, options);
   app.add_flag("--engine-loop", options.engine_loop,
@@ -109,7 +107,7 @@ void Define(CLI::App& app, BenchSimulatedOptions& options) {
   DefineRule(app, options.rule);
   DefineWorkers(app, options.workers);
   app.add_option("--arm", options.arms,
-                 "a way of searching, such as workers=8,sharing=merge-at-end,drop=0.3; as often as "
+                 "a way of searching, such as workers=8,sharing=0,drop=0.3; as often as "
                  "wanted, the first is what the others are compared with")
       ->default_str("one for each number of workers")
       ->type_name("WORDS");

@@ -10,7 +10,7 @@ void Define(CLI::App& app, CeilingOptions& options) {
       "How well what V, f and T are asked can be known at all: test trials again from one of their "
       "moments on, with other execution noise and other actions. Of each figure two bounds: what "
       "half of the repetitions foretell of the others, and what all foretell of themselves. Task "
-      "and scenes are to be those of the data set.");
+      "and scenes are to be those of the data set");
   DefineTask(app, options.task, Tasks::kSimulated);
   DefineTrialScenes(app, options.scenes);
   app.add_option("--trials", options.trials,

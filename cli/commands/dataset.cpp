@@ -7,9 +7,7 @@ namespace prospect::cli {
 namespace {
 
 constexpr const char* kJigsawsHelp =
-    R"(Reads a task of JIGSAWS, or videos in its layout, into one data set.
-
-Read are ROOT/TASK/transcriptions/NAME.txt (lines 'FIRST LAST Gk', frames from 1) and
+    R"(Read are ROOT/TASK/transcriptions/NAME.txt (lines 'FIRST LAST Gk', frames from 1) and
 ROOT/TASK/video/NAME_capture1.avi, the left camera; kinematics/ and meta_file are not.
 NAME is TASK_XNNN: X the user, NNN the number; the trial's seed is 1000 * (X - 'A') + NNN.
 Pictures become 128x96. Gesture Gk is action k - 1, 15 is none.
@@ -71,7 +69,7 @@ void Define(CLI::App& app, DatasetFromLogOptions& options) {
 }
 
 void Define(CLI::App& app, DatasetJigsawsOptions& options) {
-  app.description(kJigsawsHelp);
+  app.footer(kJigsawsHelp);
   app.add_option("--root", options.root, "folder that holds the task's folder")
       ->type_name("DIR")
       ->required();

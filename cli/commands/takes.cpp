@@ -8,7 +8,7 @@ void Define(CLI::App& app, TakesOptions& options) {
   app.description(
       "Takes: from the same state the same actions twice, with fresh noise; how far the pictures "
       "differ in the end (mean absolute error, without sensor noise). Takes in which an action "
-      "fails are left out.");
+      "fails are left out");
   DefineTask(app, options.task, Tasks::kSimulated);
   DefineSeed(app, options.seed, "first scene");
   DefineScenes(app, options.scenes, "scenes, a random trial each", 1, 100'000);

@@ -1,5 +1,7 @@
 #include "cli/commands/train.h"
 
+#include <algorithm>
+
 #include "cli/options/common.h"
 #include "cli/values.h"
 
@@ -39,10 +41,15 @@ constexpr Word kSteps[] = {
     {"composing", "imagined pictures keep what was seen where nothing changes"},
 };
 
+// A paragraph below the options, a line a word.
 template <std::size_t N>
-std::string Listed(std::string intro, const Word (&words)[N]) {
-  for (const Word& word : words) intro += std::string("\n") + word.name + ": " + word.what;
-  return intro;
+std::string Listed(std::string title, const Word (&words)[N]) {
+  for (const Word& word : words) {
+    std::string name = word.name;
+    name.resize(std::max<std::size_t>(name.size(), 10), ' ');
+    title += "\n  " + name + "  " + word.what;
+  }
+  return title + "\n";
 }
 
 template <std::size_t N>
@@ -58,8 +65,7 @@ void DefineConfiguration(CLI::App& app, TrainOptions& options) {
                  "iterations of the transform network; the other stages scale with it")
       ->type_name("N")
       ->transform(Whole(1, 1'000'000'000));
-  app.add_option("--variant", options.variant,
-                 Listed("a row of the paper's comparison:", kVariants))
+  app.add_option("--variant", options.variant, "a row of the paper's comparison; see below")
       ->type_name("NAME")
       ->check(OneOf(VariantNames()));
   app.add_option("--recipe", options.recipe,
@@ -68,9 +74,8 @@ void DefineConfiguration(CLI::App& app, TrainOptions& options) {
       ->type_name("NAME")
       ->check(OneOf({"paper", "best"}))
       ->capture_default_str();
-  app.add_option(
-         "--without", options.without,
-         Listed("leave these steps beyond the paper out, where the task takes them:", kSteps))
+  app.add_option("--without", options.without,
+                 "leave these steps beyond the paper out, where the task takes them; see below")
       ->type_name("NAMES")
       ->delimiter(',')
       ->check(OneOf(RecipeStepNames()));
@@ -134,6 +139,8 @@ void Define(CLI::App& app, TrainOptions& options) {
   DefineConfiguration(app, options);
   DefineRun(app, options);
   DefineReport(app, options.report);
+  app.footer(Listed("Rows of the paper's comparison (--variant):", kVariants) + "\n" +
+             Listed("Steps beyond the paper (--without):", kSteps));
 }
 
 std::string Defect(const TrainOptions& options) {

@@ -13,7 +13,7 @@ CLI::Validator WorkersWish() {
   const CLI::Validator number = Whole(0, 1024);
   return CLI::Validator(
       [number](std::string& text) -> std::string {
-        const std::string usage = "say workers=N, N from 0 to 1024, not '" + text + "'";
+        const std::string usage = "N is from 0 to 1024, and this is '" + text + "'";
         if (!text.starts_with(kWorkers)) return usage;
         std::string count = text.substr(sizeof kWorkers - 1);
         if (!number(count).empty()) return usage;

@@ -21,7 +21,7 @@ void Define(CLI::App& app, ViewOptions& options) {
       "A picture of a task's scene, at any size and from any of its cameras, for people. With "
       "--actions, after these actions; with --frames or --video, of every tick on the way. With "
       "--episode scene and actions are those of an episode that was carried out: worlds repeat bit "
-      "for bit, so what is shown is what happened.");
+      "for bit, so what is shown is what happened");
   DefineTask(app, options.task, Tasks::kSimulated);
   DefineSeed(app, options.seed, "the scene");
   DefineScene(app, options.scene);

@@ -27,8 +27,8 @@ void DefineBus(CLI::App& app, BusOptions& options) {
       ->group(kBusGroup);
   app.add_option("--chaos", options.chaos,
                  "for tests: faults in what a process hears, such as "
-                 "drop=0.3,delay=20ms,dup=0.05,reorder=0.1,corrupt=0.01,seed=1,channel=SEARCH_.*; "
-                 "several parted by ';'")
+                 "drop=0.3,delay=20ms,dup=0.05,reorder=0.1,corrupt=0.01,seed=1; also "
+                 "channel=SEARCH_.*; several parted by ';'")
       ->type_name("FAULTS")
       ->envname("PROSPECT_CHAOS")
       ->group(kBusGroup);

@@ -7,6 +7,10 @@
 
 namespace prospect::cli {
 
+/// Loopback only (ttl 0), with a receive buffer that survives bursts: with the system's default 20
+/// back-to-back pictures are already lost.
+inline constexpr char kDefaultBusUrl[] = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
+
 /// Which bus, and who is believed on it. Every process of a deployment has these.
 struct BusOptions {
   std::string bus;                 ///< LCM URL; empty: LCM_DEFAULT_URL, then loopback, port 7667

@@ -1,5 +1,6 @@
 #include "cli/options/episode.h"
 
+#include "cli/options/rule.h"
 #include "cli/options/task.h"
 #include "cli/values.h"
 
@@ -20,6 +21,7 @@ void DefineSearch(CLI::App& app, EpisodeOptions& options) {
       ->transform(Whole(0, 32))
       ->default_str("0: what remains of the plan")
       ->group(kSearchGroup);
+  DefineRule(app, options.rule)->group(kSearchGroup);
 }
 
 }  // namespace
@@ -79,7 +81,9 @@ void DefineEpisode(CLI::App& app, EpisodeOptions& options) {
       ->type_name("GOAL")
       ->check(Goal())
       ->default_str("the task's own");
-  app.add_option("--out", options.out, "folder of results")->type_name("DIR");
+  app.add_option("--out", options.out, "folder of results")
+      ->type_name("DIR")
+      ->envname("PROSPECT_OUT");
   app.add_flag("-v,--verbose", options.verbose, "log each search");
   DefineReport(app, options.report);
   DefineWorkers(app, options.workers);

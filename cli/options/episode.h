@@ -29,11 +29,12 @@ struct EpisodeOptions {
   BusOptions bus;
   std::string task;  ///< empty: what is up, or the default
   std::int64_t seed = 2'000'000;
-  SceneOptions scene;  ///< its size only
-  std::string goal;    ///< as planner::ParseGoal reads it; empty: the task's own
-  int workers = 0;     ///< planner workers; 0: what is up, or two
-  int samples = 30;    ///< rollouts a search
-  int depth = 0;       ///< actions to look ahead; 0: what remains of the plan
+  SceneOptions scene;          ///< its size only
+  std::string goal;            ///< as planner::ParseGoal reads it; empty: the task's own
+  int workers = 0;             ///< planner workers; 0: what is up, or two
+  int samples = 30;            ///< rollouts a search
+  std::string rule = "paper";  ///< of planner/selection_rule.h
+  int depth = 0;               ///< actions to look ahead; 0: what remains of the plan
   RefusalOptions refusal;
   bool verbose = false;
   std::string out;  ///< folder of results; empty: the command's own

@@ -1,5 +1,6 @@
 #include "cli/options/search.h"
 
+#include "cli/options/rule.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -22,7 +23,7 @@ void DefineSearch(CLI::App& app, SearchOptions& search) {
       ->type_name("N")
       ->transform(Whole(1, 32))
       ->capture_default_str();
-  app.add_option("--rule", search.rule, "selection rule")->type_name("NAME")->capture_default_str();
+  DefineRule(app, search.rule);
   app.add_option("--v-failed", search.v_failed,
                  "a future whose V falls below this on the way is given up")
       ->default_str("0.02")

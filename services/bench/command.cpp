@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "cli/report_file.h"
+#include "report/scaling_plot.h"
 #include "services/bench/bench_report.h"
 #include "services/bench/engine_alone.h"
-#include "services/bench/plot.h"
 #include "services/bench/search_bench.h"
 #include "services/common/common_options.h"
 
@@ -86,9 +86,9 @@ void WriteFiles(const cli::BenchSearchOptions& bench, const json& rows) {
   cli::WriteReport(bench.report, report);
   if (!bench.csv.empty()) WriteCsv(bench.csv, rows);
   if (!bench.plot.empty()) {
-    WritePlot(bench.plot, rows,
-              bench.weights + ", batch " + bench.fixed_cost + " ms, up to " +
-                  std::to_string(bench.max_batch));
+    report::WriteScalingPlot(bench.plot, rows,
+                             bench.weights + ", batch " + bench.fixed_cost + " ms, up to " +
+                                 std::to_string(bench.max_batch));
   }
 }
 

@@ -9,7 +9,7 @@ namespace prospect::services {
 /// The options that every process on the bus has, and that of services.
 struct CommonOptions : cli::BusOptions {
   CommonOptions() = default;
-  explicit CommonOptions(const cli::BusOptions& process) : cli::BusOptions(process) {}
+  explicit CommonOptions(const cli::BusOptions& given) : cli::BusOptions(given) {}
 
   std::string instance_file;  ///< --instance-file, PROSPECT_INSTANCE_FILE; empty: none is written
 };

@@ -6,15 +6,18 @@
 #include "base/exit_error.h"
 #include "base/lock.h"
 #include "base/quiet.h"
+#include "report/futures_sheet.h"
+#include "report/image_edit.h"
+#include "report/png.h"
 #include "services/common/common_options.h"
 #include "services/executive/conversation.h"
-#include "services/predict/futures_picture.h"
 #include "services/predict/prediction.h"
 
 namespace prospect::services {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace report;
 
 std::string FileOf(std::size_t number) {
   char text[32];
@@ -38,9 +41,9 @@ void Tell(const FuturesSheet& sheet, const std::string& out) {
 
 void Write(const FuturesSheet& sheet, const std::string& out) {
   try {
-    WritePicture(sheet.seen, out + "/seen.png");
+    WritePng(out + "/seen.png", sheet.seen);
     for (std::size_t i = 0; i < sheet.futures.size(); ++i) {
-      WritePicture(sheet.futures[i].imagined, out + "/" + FileOf(i));
+      WritePng(out + "/" + FileOf(i), sheet.futures[i].imagined);
     }
     WriteFuturesSheet(sheet, out + "/futures.png");
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "base/exit_codes.h"
+#include "base/hash.h"
 #include "base/quiet.h"
 #include "cli/report_file.h"
 #include "services/binding/search_table.h"
@@ -21,12 +22,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string Hex(std::uint64_t number) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, number);
-  return text;
-}
-
 void WriteTable(const std::string& folder, const ReplayedSearch& replayed) {
   std::filesystem::create_directories(folder);
   const std::string path =
@@ -38,7 +33,7 @@ void PrintSearch(const ReplayedSearch& replayed) {
   const auto& search = replayed.search->search();
   std::printf("search %" PRId64 ": %" PRId64 " rollouts, %" PRId64 " evaluations, table %s; %s\n",
               replayed.search->root().search_id, search.total_rollouts(),
-              search.known_evaluations(), Hex(TableHash(search)).c_str(),
+              search.known_evaluations(), base::HexText(TableHash(search)).c_str(),
               Summary(search.BestPlan(), replayed.task).c_str());
 }
 
@@ -49,7 +44,7 @@ json RowOf(const ReplayedSearch& replayed) {
           {"evaluations", search.known_evaluations()},
           {"replies", replayed.replies},
           {"statistics", replayed.statistics},
-          {"table", Hex(TableHash(search))}};
+          {"table", base::HexText(TableHash(search))}};
 }
 
 void Print(const JournalReplay& replay) {
@@ -106,7 +101,7 @@ int RunRebuildJournal(const cli::RebuildJournalOptions& options) {
                                     {"selections", replay.selections},
                                     {"sent", replay.sent},
                                     {"differences", replay.differences},
-                                    {"table", Hex(replay.table)}});
+                                    {"table", base::HexText(replay.table)}});
   if (replay.differences == 0) return kExitSuccess;
   std::fprintf(stderr, "first: %s\n", replay.first_difference.c_str());
   return kExitTolerance;

@@ -63,7 +63,8 @@ int RunCheck(const CheckOptions& options) {
   ApplyCommonOptions(CommonOptions(options.bus), "bus");
   Bus bus(options.bus.bus);
   BusSurvey survey;
-  bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
+  const auto subscription =
+      bus.SubscribeAll([&](const RawMessage& message) { survey.Add(message); });
   const double seconds = Listen(bus, options.seconds);
   if (options.report.talks()) survey.Print(seconds, std::cout);
   cli::WriteReport(options.report, survey.ToJson(seconds));

@@ -34,9 +34,8 @@ LC_ALL=C sed 's/"shape":\[32,8,1,1\]/"shape":[8,32,1,1]/' "$good" >shape.safeten
 LC_ALL=C sed 's/\\"task\\":\\"navigation\\"/\\"task\\":\\"stackingxx\\"/' "$good" >task.safetensors
 
 # --- Unknown options and tasks, values out of range.
-for program in worker executive; do
-  expect 2 'not expected: --nonsense' prospect-$program --nonsense
-done
+expect 2 'not expected: --nonsense' prospect-worker --nonsense
+expect 2 "unknown option '--nonsense'" prospect-executive --nonsense
 for program in "bus check-robot" "bus status" "world oracle" "bench sim" "bench picks"; do
   expect 2 "unknown option '--nonsense'" prospect-$program --nonsense
 done

@@ -95,7 +95,7 @@ in_use="used: is in use by sleep 1000 \(pid $holder\)"
   expect 13 "$in_use" prospect-train train --task navigation --data good.h5 --out used --iterations 1
 [ -x "$bin/prospect-train" ] &&
   expect 13 "$in_use" prospect-train tables --task navigation --data good.h5 --weights "$weights" --out used
-[ -x "$bin/prospect-figures" ] && expect 13 "$in_use" prospect-figures --weights "$weights" --data good.h5 --out used
+[ -x "$bin/prospect-figures" ] && expect 13 "$in_use" prospect-figures --task navigation --weights "$weights" --data good.h5 --out used
 [ -x "$bin/prospect-evaluate" ] &&
   expect 13 "$in_use" prospect-evaluate shifts --task navigation --weights "$weights" --scenes 1 --out used
 [ -x "$bin/prospect-executive" ] && expect 13 "$in_use" prospect-executive --log-level off --out used

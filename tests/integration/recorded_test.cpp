@@ -84,9 +84,8 @@ TEST(Recorded, TrialEqualsTheCollectedOne) {
 }
 
 TEST(Recorded, StackingTrialEqualsTheCollectedOne) {
-  TrialEqualsTheCollectedOne(
-      "stacking",
-      {{"--task", "stacking"}, {"--objects", "0", "--legs", "9"}, {"--task", "stacking"}});
+  TrialEqualsTheCollectedOne("stacking",
+                             {{"--task", "stacking"}, {"--tower", "2"}, {"--task", "stacking"}});
 }
 
 }  // namespace

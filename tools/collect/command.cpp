@@ -35,6 +35,7 @@ void Print(const cli::CollectOptions& options, const CollectSummary& summary) {
   std::printf("%.0f s simulated in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
 }
 
+#ifdef PROSPECT_HAS_VIDEOS
 void Print(const cli::CollectOptions& options, const GestureVideoSummary& summary) {
   int failed = 0;
   for (const auto& [reason, count] : summary.failures) failed += count;
@@ -46,25 +47,28 @@ void Print(const cli::CollectOptions& options, const GestureVideoSummary& summar
   std::printf("%.0f s of video in %.1f s\n", summary.simulated_seconds, summary.wall_seconds);
 }
 
-template <typename Summary>
-void Tell(const cli::CollectOptions& options, const Summary& summary, const json& report) {
+int CollectVideos(const cli::CollectOptions& options) {
+  const GestureVideoSummary summary = CollectGestureVideos(options);
   if (options.report.talks()) Print(options, summary);
-  cli::WriteReport(options.report, report);
+  cli::WriteReport(options.report, Report(options, summary));
+  return 0;
 }
+#else
+int CollectVideos(const cli::CollectOptions&) {
+  throw CollectUsageError("this build writes no videos");
+}
+#endif
 
 }  // namespace
 
 int RunCollect(const cli::CollectOptions& options) {
-  if (options.format == "jigsaws") {
-    const GestureVideoSummary summary = CollectGestureVideos(options);
-    Tell(options, summary, Report(options, summary));
-    return 0;
-  }
+  if (options.format == "jigsaws") return CollectVideos(options);
   const CollectSummary summary = Collect(options);
   json report = Report(options, summary);
   report["successes"] = summary.successes;
   report["failures"] = ByCause(summary.failures);
-  Tell(options, summary, report);
+  if (options.report.talks()) Print(options, summary);
+  cli::WriteReport(options.report, report);
   return 0;
 }
 

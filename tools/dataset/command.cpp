@@ -7,7 +7,7 @@
 #include "base/quiet.h"
 #include "cli/report_file.h"
 #include "model/dataset.h"
-#include "sim/png.h"
+#include "report/png.h"
 #include "tools/data/commands.h"
 #include "tools/dataset/apart.h"
 #include "tools/dataset/info.h"
@@ -69,7 +69,7 @@ int RunPack(const cli::DatasetPackOptions& options) {
 int RunSheet(const cli::DatasetSheetOptions& options) {
   const auto work = [&] {
     const auto rows = static_cast<std::size_t>(options.rows);
-    sim::WritePng(options.out, ContactSheet(model::TrialFile(options.file), rows, options.seed));
+    report::WritePng(options.out, ContactSheet(model::TrialFile(options.file), rows, options.seed));
     if (!base::Quiet())
       std::printf("%s: a trial a row, the first picture of each action, and the last\n",
                   options.out.c_str());

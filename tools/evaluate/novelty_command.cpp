@@ -32,7 +32,7 @@ std::vector<model::NoveltySample> Samples(const cli::NoveltyOptions& options,
     auto& task = tasks[scene.objects];
     if (!task) task = sim::MakeTask(options.task, scene);
     const auto picture = FirstPicture(*task, seed, scene.image_noise);
-    samples.push_back(model::TakeNoveltySample(*engine, picture.data()));
+    samples.push_back(model::TakeNoveltySample(*engine, picture));
     progress.Step();
     if (base::StopRequested()) break;
   }

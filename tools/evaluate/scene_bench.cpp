@@ -9,8 +9,6 @@
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/episode.h"
-#include "tools/evaluate/novelty_gate.h"
-#include "tools/evaluate/open_loop.h"
 #include "tools/evaluate/recovery.h"
 #include "tools/evaluate/scene_video.h"
 #include "tools/evaluate/search_deciders.h"

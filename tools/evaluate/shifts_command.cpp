@@ -3,6 +3,7 @@
 #include "base/lock.h"
 #include "cli/report_file.h"
 #include "model/weights.h"
+#include "report/shift_plot.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
 #include "tools/common/words.h"
@@ -11,7 +12,6 @@
 #include "tools/evaluate/commands.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/scene_runs.h"
-#include "tools/evaluate/shift_plot.h"
 #include "tools/evaluate/shift_sweep.h"
 
 namespace prospect::tools {
@@ -125,8 +125,8 @@ int RunShifts(const cli::EvaluateShiftsOptions& options) {
   const json summary = SummariseShifts(scenes, sweep.sweep.points);
   Words() << ShiftTable(summary) << extent.Line("scenes");
   const std::string plot = sweep.options.out + "/shifts.png";
-  if (WriteShiftPlot(plot, summary, "Pictures unlike the known ones: " + options.task))
-    Words() << "plot: " << plot << "\n";
+  report::WriteShiftPlot(plot, summary, "Pictures unlike the known ones: " + options.task);
+  Words() << "plot: " << plot << "\n";
   cli::WriteReport(options.report, Report(sweep, scenes, extent, summary));
   return extent.exit_code();
 }

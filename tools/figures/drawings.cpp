@@ -12,6 +12,9 @@
 #include "tools/figures/variants.h"
 
 namespace prospect::figures {
+
+using report::Page;
+
 namespace {
 
 constexpr int kMostScenes = 40;  // looked at for one that shows something

@@ -3,13 +3,14 @@
 #include <string>
 
 #include "cli/commands/figures.h"
-#include "tools/figures/page.h"
+#include "report/page.h"
 #include "tools/figures/studio.h"
 
 namespace prospect::figures {
 
 /// The figure of this name (cli::FigureNames()). Throws model::DataError where the data shows
 /// nothing of it, model::WeightsError for variants of another task.
-Page Draw(const std::string& name, const cli::FiguresOptions& options, const Studio& studio);
+report::Page Draw(const std::string& name, const cli::FiguresOptions& options,
+                  const Studio& studio);
 
 }  // namespace prospect::figures

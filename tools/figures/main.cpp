@@ -28,7 +28,8 @@ bool Judges(const std::string& name) {
 
 std::string About(const Options& options, const Studio& studio) {
   return "Task " + options.task + "; weights " + fs::path(studio.weights).filename().string() +
-         " (hash " + base::HexText(studio.own.engine->weights_hash()) + "), data set " + fs::path(studio.data).filename().string() +
+         " (hash " + base::HexText(studio.own.engine->weights_hash()) + "), data set " +
+         fs::path(studio.data).filename().string() +
          ", test trials only; `./prospect figures --task " + options.task + " --seed " +
          std::to_string(options.seed) + " --trials " + std::to_string(options.trials) +
          " --samples " + std::to_string(options.samples) + "`.";

@@ -7,11 +7,11 @@
 #include "model/calibration.h"
 #include "model/dataset.h"
 #include "model/weights.h"
+#include "report/refusal_plot.h"
 #include "tools/common/extent.h"
 #include "tools/common/words.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/commands.h"
-#include "tools/refusals/plot.h"
 #include "tools/refusals/report.h"
 
 namespace prospect::tools {
@@ -85,7 +85,7 @@ int RunRefusals(const cli::RefusalsOptions& options) {
     figures.push_back(MeasureRefusals(named.sample, named.task, measure));
     Words() << RefusalTable(figures.back()) << model::CurveTable(named.sample);
   }
-  if (!options.plot.empty()) PlotRefusals(options.plot, figures);
+  if (!options.plot.empty()) report::WriteRefusalPlot(options.plot, figures);
   cli::WriteReport(options.report, figures);
   return base::StopRequested() ? kExitInterrupted : kExitSuccess;
 }

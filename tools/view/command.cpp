@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "base/quiet.h"
-#include "sim/png.h"
+#include "report/people_view.h"
+#include "report/png.h"
+#include "report/video_writer.h"
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
 #include "tools/common/progress.h"
 #include "tools/common/world.h"
 #include "tools/view/episode_file.h"
-#include "tools/view/people_view.h"
-#include "tools/view/video.h"
 #include "tools/world/commands.h"
 
 namespace prospect::tools {
@@ -43,7 +43,7 @@ Shown ShownBy(const cli::ViewOptions& options) {
 }
 
 sim::Image Take(sim::Task& task, const Shown& shown) {
-  return PeoplesView(task, shown.options.camera, shown.width, shown.height);
+  return report::PeoplesView(task, shown.options.camera, shown.width, shown.height);
 }
 
 // A picture of every tick, as numbered files and as a video.
@@ -54,8 +54,8 @@ class FrameWriter : public sim::FrameSink {
     const int actions = static_cast<int>(shown.options.actions.size());
     if (actions > 0) bar_ = std::make_unique<Progress>("actions shown", actions);
     if (shown.options.video.empty()) return;
-    video_ = std::make_unique<Video>(shown.options.video, 1 / task->spec().tick_seconds,
-                                     shown.width, shown.height);
+    video_ = std::make_unique<report::VideoWriter>(
+        shown.options.video, 1 / task->spec().tick_seconds, shown.width, shown.height);
   }
 
   void OnFrame(const sim::Image&, const sim::Progress& progress) override {
@@ -67,7 +67,7 @@ class FrameWriter : public sim::FrameSink {
     if (shown_.options.frames.empty()) return;
     char name[32];
     std::snprintf(name, sizeof name, "/%05d.png", count_++);
-    sim::WritePng(shown_.options.frames + name, picture);
+    report::WritePng(shown_.options.frames + name, picture);
   }
 
   void Finish() {
@@ -78,7 +78,7 @@ class FrameWriter : public sim::FrameSink {
  private:
   sim::Task* task_;
   const Shown& shown_;
-  std::unique_ptr<Video> video_;
+  std::unique_ptr<report::VideoWriter> video_;
   std::unique_ptr<Progress> bar_;
   int count_ = 0;
 };
@@ -113,7 +113,7 @@ int Show(const Shown& shown) {
                                 std::to_string(options.actions[result.actions_done]) +
                                 " may not follow there");
   }
-  if (!options.out.empty()) sim::WritePng(options.out, Take(*task, shown));
+  if (!options.out.empty()) report::WritePng(options.out, Take(*task, shown));
   Tell(shown, task->progress());
   return 0;
 }
