@@ -38,6 +38,8 @@ void CheckTable(const task_t& message, ValueCheck& check) {
         .That(AreIndices(action.successors, message.num_actions),
               "actions: successor out of table");
   }
+  for (const cause_t& cause : message.causes)
+    check.That(!cause.name.empty() && !cause.words.empty(), "causes: empty name or words");
 }
 
 void CheckStep(const plan_step_t& step, ValueCheck& check) {
@@ -120,6 +122,7 @@ std::string Validate(const sim_command_t& message) {
       .That(InRange<int>(message.kind, sim_command_t::KIND_RESET, sim_command_t::KIND_RESUME),
             "kind: unknown")
       .That(IsCount(message.seed), "seed: negative")
+      .That(IsCount(message.present_episode_id), "present_episode_id: negative")
       .That(message.kind != sim_command_t::KIND_RESET || message.episode_id >= 1,
             "episode_id: below 1")
       .That(InRange(message.objects, 0, kMaxActions), "objects: out of range")

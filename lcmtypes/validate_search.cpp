@@ -42,6 +42,14 @@ bool AreAscendingProbabilities(const std::vector<float>& values) {
          std::all_of(values.begin(), values.end(), [](float v) { return IsProbability(v); });
 }
 
+bool IsNovelty(const novelty_t& novelty) {
+  const double distances[] = {novelty.error,          novelty.error_limit, novelty.residual,
+                              novelty.residual_limit, novelty.state,       novelty.state_limit};
+  return IsProbability(novelty.p) &&
+         std::all_of(std::begin(distances), std::end(distances),
+                     [](double value) { return std::isfinite(value) && value >= 0; });
+}
+
 }  // namespace
 
 std::string Validate(const calibration_t& message) {
@@ -79,6 +87,7 @@ std::string Validate(const model_info_t& message) {
       .That(InRange(message.image_width, 1, kMaxImageSide) &&
                 InRange(message.image_height, 1, kMaxImageSide),
             "image: out of range")
+      .That(IsBoolean(message.judges), "judges: neither 0 nor 1")
       .That(IsProbability(message.refusal_threshold), "refusal_threshold: out of 0..1")
       .That(IsCount(message.queue), "queue: negative")
       .That(std::isfinite(message.queue_age_ms) && std::isfinite(message.batch_ms),
@@ -101,7 +110,10 @@ std::string Validate(const predict_reply_t& message) {
       .That(IsPath(message.path), "path: bad")
       .That(no_picture || IsPicture(message.width, message.height, message.num_bytes),
             "data: wrong picture size")
-      .That(AreFinite(message.hidden), "hidden: not finite");
+      .That(AreFinite(message.hidden), "hidden: not finite")
+      .That(message.num_novelty <= 1, "novelty: more than one")
+      .That(std::all_of(message.novelty.begin(), message.novelty.end(), IsNovelty),
+            "novelty: out of range");
   return check.Result();
 }
 
@@ -125,6 +137,7 @@ std::string Validate(const search_root_t& message) {
   ValueCheck check;
   check.That(IsCount(message.epoch), "epoch: negative")
       .That(message.num_executed <= kMaxPathLength, "num_executed: too many")
+      .That(InRange(message.plan_length, 1, kMaxPathLength), "plan_length: out of range")
       .That(std::isfinite(message.time_left), "time_left: not finite")
       .That(!message.rule.empty(), "rule: empty")
       .That(AreFinite(message.parameter_values), "parameter_values: not finite")

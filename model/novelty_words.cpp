@@ -19,7 +19,7 @@ std::string Compared(double value, const char* unit, double limit) {
 
 }  // namespace
 
-std::string InWords(const Novelty& novelty) {
+std::string DescribeNovelty(const Novelty& novelty) {
   const std::string p = "p " + Number("%.2g", novelty.p) + ": ";
   const double redrawing = novelty.residual / std::max(1e-9, novelty.residual_limit);
   const double reading = novelty.state / std::max(1e-9, novelty.state_limit);
@@ -36,7 +36,8 @@ std::string InWords(const Novelty& novelty) {
 }
 
 std::string NoveltyRefusal(const Novelty& novelty) {
-  return "this picture is unlike what the networks were trained on (" + InWords(novelty) + ")";
+  return "this picture is unlike what the networks were trained on (" + DescribeNovelty(novelty) +
+         ")";
 }
 
 }  // namespace prospect::model

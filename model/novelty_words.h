@@ -20,7 +20,7 @@ struct Novelty {
 
 /// Why a picture is taken for an unknown one, by what stands out more of the two: "p 0.002: it
 /// cannot be redrawn: error 0.051, 99 % of known pictures stay below 0.022".
-std::string InWords(const Novelty& novelty);
+std::string DescribeNovelty(const Novelty& novelty);
 
 /// The sentence with which a picture is refused.
 std::string NoveltyRefusal(const Novelty& novelty);

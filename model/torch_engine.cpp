@@ -32,7 +32,7 @@ NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
 EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
   EngineInfo info;
   info.judges = HasModule(file, "value") || HasModule(file, "q");
-  info.engine = info.judges ? "torch" : "torch, pictures only";
+  info.engine = "torch";
   info.task = file.metadata.value("task", "");
   info.task_hash = file.metadata.value("task_hash", "");
   info.num_actions = config.num_actions;

@@ -17,7 +17,7 @@ sim::Image Enlarged(const sim::Image& picture) {
 
 }  // namespace
 
-void WriteEpisodeVideo(const services::EpisodeRecord& record, const std::string& path) {
+void WriteEpisodeVideo(const agent::EpisodeRecord& record, const std::string& path) {
   if (record.frames.empty()) return;
   const sim::Image first = Enlarged(record.frames.front());
   VideoWriter video(path, record.frames_per_second, first.width, first.height);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "agent/explanation_text.h"
 #include "base/number_format.h"
 #include "report/difference_map.h"
 #include "report/html.h"
@@ -10,7 +11,7 @@
 
 namespace prospect::report {
 
-using namespace services;
+using namespace agent;
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/executive/explanation.h"
+#include "agent/explanation.h"
 
 namespace prospect::report {
 
@@ -10,6 +10,6 @@ namespace prospect::report {
 /// V and f under each, what a person asked for, the best alternatives with the sentence that says
 /// what each lost by, and how the search went. One file that refers to nothing outside itself:
 /// pictures are PNGs in data: URIs. Without pictures (a server that sent none) it has words only.
-std::string ExplanationPage(const services::Explanation& explanation);
+std::string ExplanationPage(const agent::Explanation& explanation);
 
 }  // namespace prospect::report

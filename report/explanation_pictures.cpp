@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "agent/explanation_text.h"
 #include "base/number_format.h"
 #include "report/canvas.h"
 #include "report/page.h"
@@ -10,9 +11,9 @@
 
 namespace prospect::report {
 
-using services::ExplainedPlan;
-using services::ExplainedStep;
-using services::Explanation;
+using agent::ExplainedPlan;
+using agent::ExplainedStep;
+using agent::Explanation;
 
 namespace {
 
@@ -63,7 +64,7 @@ void RemoveFormer(const std::string& folder) {
   std::error_code ignored;
   for (const char* name : {"/chosen.png", "/what-if.png"})
     std::filesystem::remove(folder + name, ignored);
-  for (int i = 1; i <= services::kAlternatives; ++i)
+  for (int i = 1; i <= agent::kAlternatives; ++i)
     std::filesystem::remove(AlternativeFile(folder, i), ignored);
 }
 
@@ -72,7 +73,7 @@ void RemoveFormer(const std::string& folder) {
 void WriteExplanationPictures(const Explanation& explanation, const std::string& folder) {
   RemoveFormer(folder);
   const std::string verdict =
-      services::Headline(explanation) + ". " + services::ScoreSentence(explanation);
+      agent::Headline(explanation) + ". " + agent::ScoreSentence(explanation);
   if (!explanation.chosen.steps.empty())
     WriteStrip(explanation.chosen, verdict, explanation.chosen.why, folder + "/chosen.png");
   int number = 0;

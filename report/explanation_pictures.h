@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/executive/explanation.h"
+#include "agent/explanation.h"
 
 namespace prospect::report {
 
@@ -10,6 +10,6 @@ namespace prospect::report {
 /// sentence it lost by: chosen.png, alternative-1.png and so on, what-if.png. Those of an earlier
 /// explanation that this one has no plan for are removed. Throws base::DiskError when a file
 /// cannot be written.
-void WriteExplanationPictures(const services::Explanation& explanation, const std::string& folder);
+void WriteExplanationPictures(const agent::Explanation& explanation, const std::string& folder);
 
 }  // namespace prospect::report

@@ -4,13 +4,13 @@
 
 #include "base/number_format.h"
 #include "report/canvas.h"
+#include "report/episode_report.h"
 #include "report/page.h"
 #include "report/png.h"
-#include "services/executive/report.h"
 
 namespace prospect::report {
 
-using namespace services;
+using namespace agent;
 
 namespace {
 

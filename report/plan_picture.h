@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "services/executive/episode_record.h"
+#include "agent/record.h"
 
 namespace prospect::report {
 
@@ -11,6 +11,6 @@ namespace prospect::report {
 /// and the step's figures, in bands of at most 1,900 pixels below each other; below, the first
 /// actions that were not chosen and why.
 /// Throws base::DiskError when the file cannot be written.
-void WritePlanPicture(const services::EpisodeRecord& record, const std::string& path);
+void WritePlanPicture(const agent::EpisodeRecord& record, const std::string& path);
 
 }  // namespace prospect::report

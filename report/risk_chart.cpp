@@ -87,7 +87,7 @@ std::string Mark(const Axes& axes, const std::vector<model::ThresholdEffect>& cu
 
 }  // namespace
 
-std::string RiskChart(const services::RefusalTerms& terms, double threshold) {
+std::string RiskChart(const agent::RefusalTerms& terms, double threshold) {
   if (terms.curve.size() < 2) return "";
   const Axes axes = AxesFor(terms.curve);
   return "<svg width=\"" + std::to_string(kWidth) + "\" height=\"" + std::to_string(kHeight) +

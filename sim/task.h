@@ -25,6 +25,12 @@ struct ActionSpec {
   std::string object;  // "barrel"
 };
 
+// One way in which trials of a task fail.
+struct CauseSpec {
+  std::string name;   // as Progress::reason gives it: "collision(barrel)"
+  std::string words;  // for people: "it ran into the barrel"
+};
+
 // What is fixed about a task before any scene is drawn.
 struct TaskSpec {
   std::string name;  // "navigation"
@@ -41,6 +47,8 @@ struct TaskSpec {
   // for null_action(), that is the start of a trial. Ascending.
   std::vector<std::vector<int>> successors;
   bool repeats_allowed = false;  // whether an action may occur twice in a plan
+  // Every reason that Progress can give.
+  std::vector<CauseSpec> causes;
   // Names of the points that Landmarks() gives, in its order; may be none.
   std::vector<std::string> landmarks;
 
@@ -51,9 +59,9 @@ struct TaskSpec {
   bool IsRetry(int action, int next) const;
 
   // FNV-1a over a canonical text of what two programs must agree on to talk about this task: name,
-  // action table, successors, whether repeats are allowed, image size. Landmarks, scene parameters
-  // (plan_length) and the world's constants are left out, so that one set of weights serves all of
-  // a task's scenes.
+  // action table, successors, whether repeats are allowed, image size. Causes, landmarks, scene
+  // parameters (plan_length) and the world's constants are left out, so that one set of weights
+  // serves all of a task's scenes.
   std::uint64_t Hash() const;
 };
 
@@ -84,8 +92,8 @@ struct Progress {
   ActionState action_state = ActionState::kIdle;
   int actions_done = 0;  // actions that succeeded
   Outcome outcome = Outcome::kRunning;
-  std::string
-      reason;  // why the trial failed: "time", "collision(barrel)", "obstacle(gripper)"; else empty
+  std::string reason;  // why the trial failed, a name in TaskSpec::causes: "time",
+                       // "obstacle(gripper)"; else empty
 };
 
 const char* ToString(ActionState state);  // "idle", "running", "succeeded", "failed", "cancelled"

@@ -22,6 +22,7 @@ using namespace prospect;
 
 constexpr int kSide = 64, kHere = 4;
 constexpr std::int64_t kTick = 100'000, kSilent = 3'000'000, kLimit = 10'000'000;  // microseconds
+const char* const kLate = "time";
 const char* const kThings[] = {"barrel", "barricade", "pylon", "block",
                                "spool",  "generator", "cabin"};
 const double kWhere[kHere][2] = {{14, 50}, {50, 48}, {48, 14}, {16, 16}};  // pixels
@@ -108,7 +109,8 @@ class Robot {
     if (running()) {
       ++status_.frame;
       if (!Drive()) status_.state = action_status_t::STATE_SUCCEEDED;
-      if (Now() - began_ > kLimit) status_.state = action_status_t::STATE_FAILED;
+      if (Now() - began_ > kLimit)
+        status_.state = action_status_t::STATE_FAILED, status_.reason = kLate;
       if (Now() - heard_ > kSilent) status_.state = action_status_t::STATE_CANCELLED;
       Look();
       Publish("ACTION_STATUS", &status_);  // at every change, and at least at 2 Hz
@@ -163,6 +165,8 @@ class Robot {
     t.image_width = t.image_height = kSide;
     t.tick_seconds = 0.1;
     t.action_time_limit = 10;
+    t.causes = {{kLate, "it ran out of time"}};  // what may go wrong, in words for people
+    t.num_causes = static_cast<std::int32_t>(t.causes.size());
     Publish("TASK", &t);
   }
 

@@ -121,6 +121,7 @@ SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int workers, int leav
   root.task_hash = task_.task_hash;
   root.task = task_.name;
   root.image0_id = root.image_id = image.image_id;
+  root.plan_length = task_.plan_length;
   root.time_left = -1;
   root.leaves = leaves;
   planner::SearchParameters parameters;

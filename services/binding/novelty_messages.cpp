@@ -1,55 +1,23 @@
 #include "services/binding/novelty_messages.h"
 
-#include <cmath>
-#include <cstdio>
-#include <sstream>
-
 namespace prospect::services {
-namespace {
 
-using model::Novelty;
-
-struct Field {
-  const char* name;
-  double Novelty::*value;
-};
-
-constexpr Field kFields[] = {{"p", &Novelty::p},
-                             {"error", &Novelty::error},
-                             {"error_limit", &Novelty::error_limit},
-                             {"residual", &Novelty::residual},
-                             {"residual_limit", &Novelty::residual_limit},
-                             {"state", &Novelty::state},
-                             {"state_limit", &Novelty::state_limit}};
-
-}  // namespace
-
-std::string NoveltyText(const Novelty& novelty) {
-  std::string text;
-  for (const Field& field : kFields) {
-    char item[64];
-    std::snprintf(item, sizeof item, "%s%s=%.9g", text.empty() ? "" : " ", field.name,
-                  novelty.*field.value);
-    text += item;
-  }
-  return text;
+novelty_t ToMessage(const model::Novelty& novelty) {
+  novelty_t message{};
+  message.p = novelty.p;
+  message.error = novelty.error;
+  message.error_limit = novelty.error_limit;
+  message.residual = novelty.residual;
+  message.residual_limit = novelty.residual_limit;
+  message.state = novelty.state;
+  message.state_limit = novelty.state_limit;
+  return message;
 }
 
-std::optional<Novelty> NoveltyFrom(const std::string& text) {
-  std::istringstream in(text);
-  Novelty novelty;
-  for (const Field& field : kFields) {
-    std::string item;
-    const std::string name = std::string(field.name) + "=";
-    if (!(in >> item) || item.compare(0, name.size(), name) != 0) return std::nullopt;
-    std::istringstream number(item.substr(name.size()));
-    double& value = novelty.*field.value;
-    if (!(number >> value) || !number.eof() || !std::isfinite(value) || value < 0)
-      return std::nullopt;
-  }
-  std::string rest;
-  if (in >> rest || novelty.p > 1) return std::nullopt;
-  return novelty;
+model::Novelty FromMessage(const novelty_t& message) {
+  return {message.p,          message.error,          message.error_limit,
+          message.residual,   message.residual_limit, message.state,
+          message.state_limit};
 }
 
 }  // namespace prospect::services

@@ -49,11 +49,6 @@ void SetParameters(const SearchParameters& parameters, search_root_t* root) {
   root->seed = static_cast<std::int64_t>(parameters.seed);
 }
 
-void SetPlanLength(int plan_length, search_root_t* root) {
-  Add(kPlanLength, plan_length, root);
-  root->num_parameters = static_cast<std::int32_t>(root->parameter_names.size());
-}
-
 double ParameterOr(const search_root_t& root, const char* name, double otherwise) {
   for (std::size_t i = 0; i < root.parameter_names.size(); ++i) {
     if (root.parameter_names[i] == name) return root.parameter_values[i];

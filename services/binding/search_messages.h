@@ -20,11 +20,6 @@ planner::SearchParameters ParametersFrom(const search_root_t& root, std::int64_t
 planner::SearchId SearchIdFrom(const search_root_t& root);
 planner::Path ExecutedFrom(const search_root_t& root);
 
-/// The name under which SEARCH_ROOT carries the length of a plan that was begun anew.
-inline constexpr char kPlanLength[] = "plan_length";
-/// Adds it, after SetParameters.
-void SetPlanLength(int plan_length, search_root_t* root);
-
 /// A name in `names` with its number, or `otherwise`.
 double ParameterOr(const search_root_t& root, const char* name, double otherwise);
 

@@ -10,10 +10,6 @@
 
 namespace prospect::services {
 
-/// In MODEL_INFO's `engine` of servers whose weights hold no V, Q, p and f: they answer
-/// PREDICT_REQUESTs and refuse to search.
-inline constexpr const char* kPicturesOnlyEngine = "pictures only";
-
 /// The model servers that are alive, by their MODEL_INFO, and which of them a path is sent to.
 /// Paths that begin with the same actions go to the same server, because it holds the hidden states
 /// on the way: how many actions is the prefix length, the shortest that leaves several live

@@ -74,21 +74,14 @@ std::vector<planner::ActionWords> WordsFromTask(const task_t& task) {
   return words;
 }
 
-// What lies outside the range becomes the nearest: it came over the bus.
-int PlanLengthOf(const task_t& task, const search_root_t& root) {
-  const double given = ParameterOr(root, kPlanLength, task.plan_length);
-  return static_cast<int>(std::clamp<double>(given, 1, planner::kMaxPathLength));
-}
-
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) {
   planner::TaskRules rules = RulesFromTask(task);
-  const int plan_length = PlanLengthOf(task, root);
   if (root.goals.empty()) {
-    rules.plan_length = plan_length;
+    rules.plan_length = root.plan_length;
     return rules;
   }
   planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
-  return planner::RulesFor(std::move(rules), {{}, plan_length});
+  return planner::RulesFor(std::move(rules), {{}, root.plan_length});
 }
 
 std::string NamesOf(const task_t& task, const planner::Path& path) {

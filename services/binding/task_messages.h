@@ -13,9 +13,9 @@ namespace prospect::services {
 
 // TASK as the libraries see it. Pure functions, safe from any thread.
 
-/// Hash of everything in TASK but utime and the hash itself. SEARCH_ROOT carries it, so that a
-/// worker that missed a TASK (another plan length, say) waits for the right one instead of
-/// searching by the wrong rules.
+/// Hash of everything in TASK but utime, the hash itself and causes, which decide nothing.
+/// SEARCH_ROOT carries it, so that a worker that missed a TASK (another plan length, say) waits for
+/// the right one instead of searching by the wrong rules.
 std::int64_t TaskHash(const task_t& task);
 
 /// The planner's rules: action table size, plan length, what may follow what, and in which order a
@@ -27,15 +27,11 @@ planner::TaskRules RulesFromTask(const task_t& task);
 /// The table's words, for goals: kind and object of each action.
 std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
 
-/// After how many actions the plan of this search is complete: the task's plan_length, or the
-/// root's parameter of that name, which a plan that was begun anew carries (planner/attempts.h).
-int PlanLengthOf(const task_t& task, const search_root_t& root);
-
 /// The names of a path's actions: "align(green), grasp(green)".
 std::string NamesOf(const task_t& task, const planner::Path& path);
 
-/// The rules of one search: the task's, with its own plan length, and the goal of its SEARCH_ROOT,
-/// which the task's own plans can bring about (prepared then). Throws as RulesFromTask, and
+/// The rules of one search: the task's, with the plan length and the goal of its SEARCH_ROOT, which
+/// the task's own plans can bring about (prepared then). Throws as RulesFromTask, and
 /// planner::GoalError when the goal is no goal or not one of this task.
 planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root);
 

@@ -195,6 +195,7 @@ void RobotCheck::NewScene() {
   reset.sender_id = health_.instance_id();
   reset.command_id = ++last_scene_;
   reset.kind = sim_command_t::KIND_RESET;
+  reset.present_episode_id = before;
   reset.seed = last_scene_;
   reset.episode_id = RandomId();
   const bool new_scene = Until([&] { return episode_id_ != before; }, 1.5,

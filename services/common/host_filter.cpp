@@ -197,7 +197,7 @@ Reach ReachOf(const std::string& url) {
   return url.starts_with("tcpq://") ? Reach::kRelay : Reach::kFile;
 }
 
-std::string ReachInWords(const std::string& url) {
+std::string ReachText(const std::string& url) {
   switch (ReachOf(url)) {
     case Reach::kThisMachine:
       return "this machine only";

@@ -19,7 +19,7 @@ bool IsUdpMulticast(const std::string& url);
 Reach ReachOf(const std::string& url);
 
 /// In words for a person: "this machine only", "the network (ttl=1)", ...
-std::string ReachInWords(const std::string& url);
+std::string ReachText(const std::string& url);
 
 /// Keeps out of LCM's receiving socket what the bus does not promise to carry, and what LCM cannot
 /// bear. LCM 1.3 binds that socket to every address of the machine, so it would also take datagrams

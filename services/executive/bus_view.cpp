@@ -18,7 +18,7 @@ std::string SizeText(std::int32_t width, std::int32_t height) {
 
 }  // namespace
 
-Picture PictureOf(const observation_t& observation) {
+agent::Picture PictureOf(const observation_t& observation) {
   return {observation.width, observation.height, observation.data};
 }
 
@@ -73,6 +73,7 @@ std::string BusView::PictureDefects() const {
 void BusView::OnStatus(const action_status_t& status) {
   world_heard_ms_ = SteadyMs();
   holder_id_ = status.holder_id;
+  present_episode_id_ = status.episode_id;
   if (status.episode_id != episode_id_) return;
   status_ = status;
   status_heard_ms_ = SteadyMs();

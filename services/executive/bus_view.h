@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "agent/picture.h"
 #include "model/refusal/sample.h"
 #include "services/binding/server_list.h"
 #include "services/common/bus.h"
-#include "services/executive/picture.h"
 
 namespace prospect::services {
 
@@ -38,6 +38,9 @@ class BusView {
   /// Who holds the robot, by the latest ACTION_STATUS of any episode: 0 where nobody does; nothing
   /// before the first.
   const std::optional<std::int64_t>& holder_id() const { return holder_id_; }
+  /// The episode that stands, by the latest ACTION_STATUS, whichever is followed; nothing before
+  /// the first.
+  const std::optional<std::int64_t>& present_episode_id() const { return present_episode_id_; }
   /// When `status` was heard, on SteadyMs()'s clock.
   std::int64_t status_heard_ms() const { return status_heard_ms_; }
   /// When anything that a simulator or robot says (HEALTH apart) was last heard, on SteadyMs()'s
@@ -48,7 +51,7 @@ class BusView {
   /// The calibration that came with these weights; null when none was heard.
   const model::CalibrationSample* calibration(std::int64_t weights_hash) const;
   /// Every picture of the episode heard so far, by frame number.
-  const std::map<std::int64_t, Picture>& frames() const { return frames_; }
+  const std::map<std::int64_t, agent::Picture>& frames() const { return frames_; }
   /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says
   /// 64x64"); empty when there were none.
   std::string PictureDefects() const;
@@ -67,17 +70,18 @@ class BusView {
   std::int64_t episode_id_ = -1;
   std::int64_t seed_ = -1;  // of the episode to follow; -1: it is known by its id, or any will do
   std::optional<std::int64_t> holder_id_;
+  std::optional<std::int64_t> present_episode_id_;
   std::optional<observation_t> latest_;
   std::optional<action_status_t> status_;
   std::int64_t status_heard_ms_ = 0;
   std::int64_t world_heard_ms_ = 0;
   std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
-  std::map<std::int64_t, Picture> frames_;
+  std::map<std::int64_t, agent::Picture> frames_;
   std::vector<Subscription> subscriptions_;
 };
 
 /// The picture in an observation.
-Picture PictureOf(const observation_t& observation);
+agent::Picture PictureOf(const observation_t& observation);
 
 }  // namespace prospect::services

@@ -6,28 +6,30 @@
 #include <iostream>
 #include <optional>
 
+#include "agent/explanation_text.h"
 #include "base/atomic_file.h"
 #include "base/lock.h"
 #include "base/run_main.h"
 #include "cli/report_file.h"
+#include "report/episode_report.h"
 #include "report/episode_video.h"
 #include "report/explanation_page.h"
 #include "report/explanation_pictures.h"
 #include "report/plan_picture.h"
 #include "services/common/common_options.h"
 #include "services/common/signals.h"
+#include "services/executive/bus_episode.h"
 #include "services/executive/command_line.h"
 #include "services/executive/conversation.h"
-#include "services/executive/episode.h"
 #include "services/executive/options.h"
 #include "services/executive/policy.h"
-#include "services/executive/report.h"
 
 namespace {
 
 using namespace prospect;
 using namespace prospect::report;
 using namespace prospect::services;
+using prospect::agent::EpisodeRecord;
 
 ExitCode CodeOf(const EpisodeRecord& record) {
   if (record.outcome == "solved" || record.outcome == "explained") return kExitSuccess;
@@ -67,7 +69,8 @@ void Tell(const EpisodeRecord& record, const ExecutiveCall& call, ExitCode code)
 }
 
 // As far as it came, so that result.json is never that of another episode.
-[[noreturn]] void EndStopped(Episode& episode, const ExecutiveCall& call, const ExitError& error) {
+[[noreturn]] void EndStopped(BusEpisode& episode, const ExecutiveCall& call,
+                             const ExitError& error) {
   try {
     Tell(episode.Stopped(error.what()), call, error.code());
   } catch (const std::exception& another) {
@@ -79,7 +82,7 @@ void Tell(const EpisodeRecord& record, const ExecutiveCall& call, ExitCode code)
 // Whatever ends an episode, its files are written and the exit status is a documented one.
 int RunEpisode(Conversation& talk, const ExecutiveCall& call) {
   const bool talks = call.report.talks();
-  Episode episode(talk, call.options, [talks](const std::string& line) {
+  BusEpisode episode(talk, call.options, [talks](const std::string& line) {
     if (talks) std::cout << line << std::endl;
   });
   EpisodeRecord record;

@@ -28,8 +28,8 @@ void PredictionInbox::OnReply(const predict_reply_t& reply) {
   awaited_.erase(awaited);
 }
 
-std::map<planner::Path, Picture> PredictionInbox::Fetch(const search_root_t& root,
-                                                        const std::vector<planner::Path>& paths) {
+std::map<planner::Path, agent::Picture> PredictionInbox::Fetch(
+    const search_root_t& root, const std::vector<planner::Path>& paths) {
   awaited_.clear();
   pictures_.clear();
   refusal_.clear();

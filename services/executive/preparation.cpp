@@ -37,6 +37,7 @@ std::string Missing(Conversation& talk, const ExecutiveOptions& options) {
 
 sim_command_t ResetCommand(Conversation& talk, const ExecutiveOptions& options) {
   sim_command_t command{};
+  command.present_episode_id = *talk.view().present_episode_id();
   command.sender_id = talk.id();
   command.command_id = 1;
   command.kind = sim_command_t::KIND_RESET;
@@ -76,7 +77,7 @@ bool Fits(const model_info_t& info, const task_t& task) {
 /// Weights without V, Q, p and f are said at once, not after waiting for workers.
 void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options) {
   if (!Searches(options) || options.workers == 0) return;
-  if (info.engine.find(kPicturesOnlyEngine) == std::string::npos) return;
+  if (info.judges) return;
   throw ExitError(kExitWeights, "weights " + base::HexText(info.weights_hash) + " for task '" +
                                     info.task +
                                     "' predict pictures only: they hold no V, Q, p and f to "
@@ -134,11 +135,22 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
     throw ExitError(kExitTimeout, "no OBSERVATION within " + Seconds(options.scene_timeout_ms) +
                                       ": " + CameraAdvice(talk));
   }
-  const sim_command_t command = ResetCommand(talk, options);
+  const auto told = [&] { return talk.view().present_episode_id().has_value(); };
+  if (!talk.Until(told, options.scene_timeout_ms))
+    throw ExitError(kExitTimeout, "no ACTION_STATUS within " + Seconds(options.scene_timeout_ms) +
+                                      ": is the simulator alive?");
+  sim_command_t command = ResetCommand(talk, options);
   talk.view().Follow(command.episode_id);
-  if (talk.Until([&] { return SceneStands(talk, options); }, options.scene_timeout_ms,
-                 [&] { talk.Say(command); }))
-    return;
+  // Another may have put up a scene meanwhile, which the command must name to end it.
+  const auto say = [&] {
+    const std::int64_t present = *talk.view().present_episode_id();
+    if (present != command.present_episode_id && present != command.episode_id) {
+      command.present_episode_id = present;
+      ++command.command_id;
+    }
+    talk.Say(command);
+  };
+  if (talk.Until([&] { return SceneStands(talk, options); }, options.scene_timeout_ms, say)) return;
   const std::string what = "the simulator did not put up scene " + std::to_string(options.seed) +
                            " within " + Seconds(options.scene_timeout_ms) + ": ";
   throw ExitError(kExitTimeout, what + (talk.view().PictureDefects().empty()

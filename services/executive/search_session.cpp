@@ -194,12 +194,15 @@ SearchAnswer SearchSession::Collect(std::int64_t started_ms) const {
   answer.ended_by = ended_by_;
   answer.rollouts = search.total_rollouts();
   answer.evaluations = search.known_evaluations();
+  answer.workers = 0;
   for (const auto& writer : search.statistics().writers()) {
     if (writer.id == search.statistics().writer()) continue;
     answer.requested += writer.announced.evaluations;
     ++answer.workers;
   }
   answer.converged = AllFinal();
+  answer.search_id = root_.search_id;
+  answer.epoch = root_.epoch;
   answer.table = TableHash(search);
   answer.seconds = static_cast<double>(SteadyMs() - started_ms) / 1000;
   if (first_answer_us_ > 0)

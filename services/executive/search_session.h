@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "agent/mind.h"
 #include "lcmtypes/messages.h"
-#include "planner/plan.h"
 #include "services/binding/request_window.h"
 #include "services/binding/shared_search.h"
 #include "services/executive/conversation.h"
@@ -24,17 +24,8 @@ struct SearchQuestion {
       1;  ///< rollouts of all workers together; root.samples is what each worker stops at
 };
 
-/// What a search came to.
-struct SearchAnswer {
-  planner::Plan plan;
-  std::string ended_by;          ///< "samples", "exhausted", "deadline", "finished"
-  std::int64_t rollouts = 0;     ///< of all workers
-  std::int64_t evaluations = 0;  ///< distinct paths heard evaluated
-  std::int64_t requested = 0;    ///< evaluations asked for and answered, summed over workers
-  int workers = 0;               ///< writers heard
-  bool converged = false;        ///< every live writer's final rows are known
-  std::uint64_t table = 0;       ///< TableHash of what is known: compare with prospect-replay bus
-  double seconds = 0;
+/// What a search came to; its table compares with what prospect-replay bus says.
+struct SearchAnswer : agent::SearchAnswer {
   double searching_seconds = 0;  ///< from the first evaluation heard to the budget's end
 };
 

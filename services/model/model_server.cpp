@@ -92,7 +92,7 @@ void ModelServer::Admit(const search_root_t& root) {
   active.root = root;
   active.heard_ms = SteadyMs();
   planner::TaskRules rules = RulesFromTask(*task_);
-  rules.plan_length = PlanLengthOf(*task_, root);
+  rules.plan_length = root.plan_length;
   active.memory = std::make_unique<SearchMemory>(engine_, std::move(rules), ExecutedFrom(root),
                                                  options_.cache_bytes);
   searches_.push_front(std::move(active));
@@ -285,8 +285,8 @@ void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
   const auto& info = engine_.info();
   reply->data = engine_.Decode({state}).at(0);
   if (!options_.novelty) return;
-  reply->reason = NoveltyText(options_.novelty->Judge(model::CompareRedrawn(
-      active.present_picture, reply->data, info.image_width, info.image_height, state)));
+  reply->novelty.push_back(ToMessage(options_.novelty->Judge(model::CompareRedrawn(
+      active.present_picture, reply->data, info.image_width, info.image_height, state))));
 }
 
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
@@ -320,6 +320,7 @@ predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* a
   }
   reply.num_bytes = static_cast<std::int32_t>(reply.data.size());
   reply.num_hidden = static_cast<std::int32_t>(reply.hidden.size());
+  reply.num_novelty = static_cast<std::int32_t>(reply.novelty.size());
   return reply;
 }
 
@@ -357,6 +358,7 @@ void ModelServer::PublishInfo(const Active* active) {
   info.num_actions = engine.num_actions;
   info.image_width = engine.image_width;
   info.image_height = engine.image_height;
+  info.judges = engine.judges ? 1 : 0;
   info.refusal_threshold = engine.refusal_threshold;
   info.search_id = active ? active->root.search_id : 0;
   info.epoch = active ? active->root.epoch : 0;

@@ -24,6 +24,7 @@ search_root_t RootOf(Conversation& talk, const model_info_t& server,
   root.image_id = kPresentImage;
   root.executed = question.executed;
   root.num_executed = static_cast<std::int32_t>(root.executed.size());
+  root.plan_length = task.plan_length;
   root.time_left = -1;
   root.rule = "paper";
   root.depth = 1;
@@ -67,9 +68,9 @@ void End(Conversation& talk, const search_root_t& root) {
 }
 
 /// Goes on as long as pictures come: a server on a busy machine paints one in half a second.
-std::map<planner::Path, Picture> FetchAll(PredictionInbox* inbox, const search_root_t& root,
-                                          const std::vector<planner::Path>& paths) {
-  std::map<planner::Path, Picture> pictures;
+std::map<planner::Path, agent::Picture> FetchAll(PredictionInbox* inbox, const search_root_t& root,
+                                                 const std::vector<planner::Path>& paths) {
+  std::map<planner::Path, agent::Picture> pictures;
   std::vector<planner::Path> missing = paths;
   for (bool some = true; some && !missing.empty();) {
     auto come = inbox->Fetch(root, missing);
@@ -82,9 +83,9 @@ std::map<planner::Path, Picture> FetchAll(PredictionInbox* inbox, const search_r
 
 }  // namespace
 
-std::map<planner::Path, Picture> AskForPictures(Conversation& talk, PredictionInbox* inbox,
-                                                const model_info_t& server,
-                                                const PictureQuestion& question) {
+std::map<planner::Path, agent::Picture> AskForPictures(Conversation& talk, PredictionInbox* inbox,
+                                                       const model_info_t& server,
+                                                       const PictureQuestion& question) {
   const search_root_t root = RootOf(talk, server, question);
   const auto announce = [&] {
     talk.Say(root);

@@ -22,8 +22,8 @@ struct PictureQuestion {
 /// (SEARCH_IMAGE), asks (PREDICT_REQUEST), and ends it (SEARCH_STOP). Pictures that do not come are
 /// missing from the answer. Throws ExitError: kExitServiceLost when no server takes the pictures
 /// within 10 s, and as Conversation::Turn does.
-std::map<planner::Path, Picture> AskForPictures(Conversation& talk, PredictionInbox* inbox,
-                                                const model_info_t& server,
-                                                const PictureQuestion& question);
+std::map<planner::Path, agent::Picture> AskForPictures(Conversation& talk, PredictionInbox* inbox,
+                                                       const model_info_t& server,
+                                                       const PictureQuestion& question);
 
 }  // namespace prospect::services

@@ -80,8 +80,8 @@ class Prediction {
     if (pictures.empty()) {
       throw ExitError(kExitServiceLost, "no predicted picture came; see the model server's log");
     }
-    const std::map<Path, Picture> truths =
-        options_.truth_seconds > 0 ? AwaitTruth() : std::map<Path, Picture>();
+    const std::map<Path, agent::Picture> truths =
+        options_.truth_seconds > 0 ? AwaitTruth() : std::map<Path, agent::Picture>();
     return SheetOf(pictures, truths);
   }
 
@@ -116,7 +116,8 @@ class Prediction {
     return oldest;
   }
 
-  static void TakePicture(const Picture& picture, std::int64_t frame, observation_t* observation) {
+  static void TakePicture(const agent::Picture& picture, std::int64_t frame,
+                          observation_t* observation) {
     observation->frame = frame;
     observation->data = picture.rgb;
   }
@@ -176,8 +177,8 @@ class Prediction {
   }
 
   /// What the camera saw where the action under way ended, and the one after it.
-  std::map<Path, Picture> AwaitTruth() {
-    std::map<Path, Picture> truths;
+  std::map<Path, agent::Picture> AwaitTruth() {
+    std::map<Path, agent::Picture> truths;
     if (!now_) return truths;
     const auto known = [this] { return Ending(now_->number + 1) || watch_.over(); };
     talk_.Until(known, static_cast<std::int64_t>(1000 * options_.truth_seconds));
@@ -203,8 +204,8 @@ class Prediction {
     return frame;
   }
 
-  report::FuturesSheet SheetOf(const std::map<Path, Picture>& pictures,
-                               const std::map<Path, Picture>& truths) const {
+  report::FuturesSheet SheetOf(const std::map<Path, agent::Picture>& pictures,
+                               const std::map<Path, agent::Picture>& truths) const {
     const task_t& task = *view().task();
     report::FuturesSheet sheet;
     sheet.title = "What comes next: " + task.name + " (" + task.world_version + ")";
@@ -213,8 +214,8 @@ class Prediction {
       const auto found = pictures.find(path);
       if (found == pictures.end()) continue;
       const auto truth = truths.find(path);
-      sheet.futures.push_back(
-          {WordsOf(task, path), found->second, truth == truths.end() ? Picture() : truth->second});
+      sheet.futures.push_back({WordsOf(task, path), found->second,
+                               truth == truths.end() ? agent::Picture() : truth->second});
     }
     sheet.caption = "Seen: frame " + std::to_string(present_.frame) + " of episode " +
                     std::to_string(present_.episode_id) +

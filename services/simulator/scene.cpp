@@ -50,6 +50,8 @@ task_t MakeTaskMessage(const sim::TaskSpec& spec) {
   task.image_height = spec.image_height;
   task.tick_seconds = spec.tick_seconds;
   task.action_time_limit = spec.action_time_limit;
+  for (const sim::CauseSpec& cause : spec.causes) task.causes.push_back({cause.name, cause.words});
+  task.num_causes = static_cast<std::int32_t>(task.causes.size());
   task.task_hash = TaskHash(task);
   return task;
 }

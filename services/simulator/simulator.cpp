@@ -61,6 +61,12 @@ void Simulator::OnSimCommand(const sim_command_t& command) {
     bus_.CountRefused(ChannelOf<sim_command_t>(), "busy");
     return PublishStatus();  // which says who holds it
   }
+  if (command.present_episode_id != scene_.episode_id()) {
+    spdlog::warn("command of {} refused: meant for episode {}, here is {}", command.sender_id,
+                 command.present_episode_id, scene_.episode_id());
+    bus_.CountRefused(ChannelOf<sim_command_t>(), "another episode");
+    return PublishStatus();  // which says what is here
+  }
   if (command.kind == sim_command_t::KIND_RESET) return Reset(command);
   hold_.Take(command.sender_id, SteadyMs());
   paused_ = command.kind == sim_command_t::KIND_PAUSE;

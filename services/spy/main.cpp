@@ -119,7 +119,7 @@ nlohmann::json ReadServices(const std::string& path) {
 
 // Who can be heard here, and who is believed.
 void PrintReach(const Bus& bus, std::ostream& out) {
-  out << "Bus " << bus.url() << ": hears " << ReachInWords(bus.url()) << ", "
+  out << "Bus " << bus.url() << ": hears " << ReachText(bus.url()) << ", "
       << (bus.keyed() ? "believes whoever has the key"
                       : "open: whoever can send on it can move the robot")
       << "\n";
@@ -144,7 +144,7 @@ int Status(const StatusOptions& options) {
   if (!options.json.empty()) {
     nlohmann::json report = StatusJson(rows);
     report["bus"] = bus.url();
-    report["reach"] = ReachInWords(bus.url());
+    report["reach"] = ReachText(bus.url());
     report["keyed"] = bus.keyed();
     report["refused"] = bus.refused();
     base::WriteJsonFile(options.json, report);

@@ -30,7 +30,11 @@ TaskSpec MakeSpec(const TaskOptions& options, const NavigationParameters& parame
   for (int i = 0; i < count; ++i) {
     spec.actions.push_back({i, "investigate(" + kinds[i].name + ")", "investigate", kinds[i].name});
   }
-  for (const ObjectKind& kind : kinds) spec.landmarks.push_back(kind.name);
+  spec.causes = {{"time", "it ran out of time"}, {"left_site", "it left the site"}};
+  for (const ObjectKind& kind : kinds) {
+    spec.causes.push_back({"collision(" + kind.name + ")", "it ran into the " + kind.name});
+    spec.landmarks.push_back(kind.name);
+  }
   spec.landmarks.insert(spec.landmarks.end(), {"robot", "robot front"});
   spec.successors.resize(count + 1);
   for (int from = 0; from <= count; ++from) {

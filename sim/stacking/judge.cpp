@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kHeightTolerance = 0.01;  // m, of a block upon another
 constexpr double kResting = 0.02;          // m/s
+constexpr int kJoints = 6;
+
+std::string JointName(int index) { return "joint " + std::to_string(index + 1); }
 
 const char* PartName(Touches::Part part) {
   switch (part) {
@@ -61,6 +64,28 @@ std::string StackingVerdict::Reason() const {
   return detail.empty() ? name : name + "(" + detail + ")";
 }
 
+std::vector<CauseSpec> StackingCauses() {
+  std::vector<CauseSpec> causes;
+  const auto add = [&causes](StackingOutcome outcome, const std::string& detail,
+                             const std::string& words) {
+    causes.push_back({StackingVerdict{outcome, detail}.Reason(), words});
+  };
+  add(StackingOutcome::kTime, "", "it ran out of time");
+  for (const auto part :
+       {Touches::Part::kArm, Touches::Part::kGripper, Touches::Part::kHeldBlock}) {
+    const std::string name = PartName(part);
+    add(StackingOutcome::kObstacle, name, "its " + name + " touched the obstacle");
+  }
+  add(StackingOutcome::kWorkspace, "table", "it hit the table");
+  add(StackingOutcome::kWorkspace, "tool", "it left its workspace");
+  for (int i = 0; i < kJoints; ++i)
+    add(StackingOutcome::kWorkspace, JointName(i), "its " + JointName(i) + " left its range");
+  add(StackingOutcome::kUnreachable, "", "it could not reach there");
+  add(StackingOutcome::kBlockLost, "", "a block fell off the table");
+  add(StackingOutcome::kPlanExhausted, "", "no tower stood at the end of the plan");
+  return causes;
+}
+
 bool JointsSlow(const ArmChain& arm, double limit) {
   const JointVector speeds = arm.joint_speeds();
   return std::all_of(speeds.begin(), speeds.end(),
@@ -90,10 +115,8 @@ StackingVerdict StackingJudge::AfterTick(const TabletopWorld& world) const {
 
 StackingVerdict StackingJudge::Limits(const TabletopWorld& world) const {
   const JointVector joints = world.arm().joints();
-  for (int i = 0; i < 6; ++i) {
-    if (std::abs(joints[i]) > joint_limit_[i]) {
-      return {StackingOutcome::kWorkspace, "joint " + std::to_string(i + 1)};
-    }
+  for (int i = 0; i < kJoints; ++i) {
+    if (std::abs(joints[i]) > joint_limit_[i]) return {StackingOutcome::kWorkspace, JointName(i)};
   }
   if (!Inside(world.arm().tool().translation(), p_.workspace_low, p_.workspace_high)) {
     return {StackingOutcome::kWorkspace, "tool"};

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/stacking/outcome.h"
 #include "sim/stacking/parameters.h"
 #include "sim/tabletop/tabletop_world.h"
+#include "sim/task.h"
 
 namespace prospect::sim {
+
+// Every reason that a verdict can give, in words.
+std::vector<CauseSpec> StackingCauses();
 
 // Looks at the world and says how the trial stands. Stateless.
 class StackingJudge {

@@ -67,6 +67,7 @@ TaskSpec MakeSpec(const TaskOptions& options, const TabletopDescription& descrip
   spec.actions = StackingActions(names);
   spec.successors = StackingSuccessors(blocks);
   spec.repeats_allowed = true;
+  spec.causes = StackingCauses();
   spec.landmarks = names;
   spec.landmarks.insert(spec.landmarks.end(), {"obstacle", "gripper"});
   spec.plan_length = kStackingKinds * (options.tower - 1);

@@ -58,6 +58,9 @@ TaskSpec MakeSpec(const TaskOptions& options, const SuturingParameters& p) {
   spec.actions = SuturingActions();
   spec.successors = SuturingSuccessors();
   spec.repeats_allowed = true;
+  spec.causes = {{"time", "it ran out of time"},
+                 {"dropped(needle)", "it dropped the needle"},
+                 {"missed(entry)", "the needle went in beside its dot"}};
   spec.landmarks = {"right hand", "left hand", "needle tip", "needle tail"};
   spec.plan_length = 2 + 4 * p.throws;  // G1, G5, then G2, G3, G6, G4 a throw, the last with G11
   spec.image_width = 128;

@@ -68,6 +68,7 @@ SearchQuestion QuestionFor(const Options& options, const task_t& task, std::int6
   root.task_hash = task.task_hash;
   root.task = task.name;
   root.image0_id = root.image_id = image.image_id;
+  root.plan_length = task.plan_length;
   root.time_left = -1;
   root.leaves = 2;
   root.sharing = 1;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -55,6 +56,7 @@ class Authentic : public testing::Test {
     reset.sender_id = 4711;
     reset.command_id = forged_;
     reset.kind = sim_command_t::KIND_RESET;
+    reset.present_episode_id = witness.episode_id;
     reset.seed = 99;
     reset.episode_id = 99;
     stranger_.Publish(reset);
@@ -83,6 +85,18 @@ class Authentic : public testing::Test {
   services::Bus stranger_;  // opened before there is a key
   std::int64_t forged_ = 0;
 };
+
+// A new scene in the place of the present one.
+sim_command_t ResetOf(const Witness& witness) {
+  sim_command_t reset{};
+  reset.sender_id = 4711;
+  reset.command_id = 1;
+  reset.kind = sim_command_t::KIND_RESET;
+  reset.present_episode_id = witness.episode_id;
+  reset.seed = 99;
+  reset.episode_id = 99;
+  return reset;
+}
 
 TEST_F(Authentic, AStrangersCommandsMoveNothing) {
   Witness witness;
@@ -162,14 +176,8 @@ TEST_F(Authentic, RecordedCommandsMoveNothingAgain) {
   const auto subscription = stranger_.SubscribeAll([&](const services::RawMessage& message) {
     if (message.channel == "SIM_COMMAND") recorded.push_back(message);
   });
-  sim_command_t reset{};
-  reset.sender_id = 4711;
-  reset.command_id = 1;
-  reset.kind = sim_command_t::KIND_RESET;
-  reset.seed = 99;
-  reset.episode_id = 99;
   const std::int64_t before = witness.episode_id;
-  witness.bus.Publish(reset);
+  witness.bus.Publish(ResetOf(witness));
   ASSERT_TRUE(witness.Until(
       [&] {
         stranger_.Poll(0);
@@ -180,6 +188,33 @@ TEST_F(Authentic, RecordedCommandsMoveNothingAgain) {
   EXPECT_TRUE(
       witness.Until([&] { return Refused(witness, "simulator", "SIM_COMMAND: replayed") > 5; },
                     10000, [&] { stranger_.PublishRaw("SIM_COMMAND", recorded.front().bytes); }));
+  EXPECT_EQ(witness.episode_id, episode);
+}
+
+// One that has just started has heard no sender yet, so the tag passes; but it is another's
+// episode.
+TEST_F(Authentic, ARecordedResetMovesNothingInASimulatorStartedAgain) {
+  Witness witness;
+  Deployment deployment("authentic_restart");
+  std::vector<services::RawMessage> recorded;
+  const auto subscription = stranger_.SubscribeAll([&](const services::RawMessage& message) {
+    if (message.channel == "SIM_COMMAND") recorded.push_back(message);
+  });
+  const auto heard = [&] { return stranger_.Poll(0), witness.episode_id >= 0; };
+  auto& first = deployment.Simulator();
+  ASSERT_TRUE(witness.Until(heard, 10000));
+  witness.bus.Publish(ResetOf(witness));
+  ASSERT_TRUE(witness.Until(
+      [&] { return stranger_.Poll(0), witness.episode_id == 99 && !recorded.empty(); }, 10000));
+  first.Signal(SIGKILL);
+  witness.episode_id = -1;
+  deployment.Simulator();
+  ASSERT_TRUE(
+      witness.Until([&] { return witness.episode_id >= 0 && witness.episode_id != 99; }, 10000));
+  const std::int64_t episode = witness.episode_id;
+  stranger_.PublishRaw("SIM_COMMAND", recorded.front().bytes);
+  EXPECT_TRUE(witness.Until(
+      [&] { return Refused(witness, "simulator", "SIM_COMMAND: another episode") > 0; }, 5000));
   EXPECT_EQ(witness.episode_id, episode);
 }
 

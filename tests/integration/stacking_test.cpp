@@ -152,6 +152,7 @@ TEST(Stacking, RefusesImpossibleScenes) {
   reset.sender_id = 77;
   reset.command_id = 1;
   reset.kind = sim_command_t::KIND_RESET;
+  reset.present_episode_id = before;
   reset.seed = 1;
   reset.episode_id = 4711;
   reset.legs = 10;  // no tower takes ten actions

@@ -47,7 +47,8 @@ def room_of(path):
 
 
 def allowed(path, words):
-    return "*" in words or room_of(path) in words or path in words
+    within = (word for word in words if word.endswith("/"))
+    return "*" in words or room_of(path) in words or path in words or any(path.startswith(word) for word in within)
 
 
 def include_faults(file, quote, path, rooms, libraries):

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <set>
 
-#include "planner/tower.h"
-#include "tools/evaluate/decider.h"
+#include "tools/evaluate/simulated_world.h"
 
 namespace prospect::tools {
 namespace {
@@ -74,13 +72,8 @@ model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes) {
 }
 
 model::SceneKind KindOf(const sim::Task& task) {
-  const sim::TaskSpec& spec = task.spec();
-  const std::vector<bool> present = task.PresentActions();
-  std::set<std::string> objects;
-  for (std::size_t i = 0; i < spec.actions.size(); ++i) {
-    if (present[i]) objects.insert(spec.actions[i].object);
-  }
-  return {spec.plan_length, static_cast<int>(objects.size()), planner::TowerLevels(RulesOf(spec))};
+  const agent::SceneLabel label = SceneLabelOf(task, 0);
+  return agent::KindOf(TaskViewOf(task.spec()), &label);
 }
 
 std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,

@@ -36,13 +36,11 @@ const model::Prediction& EngineModel::Predict(const planner::Path& path) {
   return known_[path] = std::move(made.front());
 }
 
-std::vector<std::uint8_t> EngineModel::Imagine(const Glance& from, const planner::Path& actions) {
-  model::Hidden state = from.state;
-  for (const std::uint8_t action : actions) {
-    const model::ExpandInput row{h0_, state, action};
-    state = engine_->Expand({row}).front().h;
-  }
-  return engine_->DecodeOnto(from.picture, from.state, {state}).front();
+std::vector<std::vector<std::uint8_t>> EngineModel::Imagine(
+    const std::vector<planner::Path>& paths) {
+  std::vector<model::Hidden> states;
+  for (const planner::Path& path : paths) states.push_back(Predict(path).h);
+  return engine_->DecodeOnto(picture_, root_, states);
 }
 
 planner::Evaluation EngineModel::Evaluate(const planner::Path& path) {

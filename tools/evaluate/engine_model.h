@@ -9,12 +9,6 @@
 
 namespace prospect::tools {
 
-// A picture that was seen, and its encoding.
-struct Glance {
-  std::vector<std::uint8_t> picture;
-  model::Hidden state;
-};
-
 // The learned networks as the planner's model, inside one process: hidden states are kept by path
 // and a node is imagined from its parent's hidden state (the paper's Algorithm 1, T). Not thread
 // safe; does not own the engine.
@@ -34,11 +28,8 @@ class EngineModel : public planner::ModelSource {
   // until SetRoot.
   const model::Prediction& Predict(const planner::Path& path);
 
-  // What SetRoot was given, to imagine from later.
-  Glance glance() const { return {picture_, root_}; }
-  // The picture after `actions`, which must not be empty, imagined from an earlier root of this
-  // episode.
-  std::vector<std::uint8_t> Imagine(const Glance& from, const planner::Path& actions);
+  // The pictures after `paths`.
+  std::vector<std::vector<std::uint8_t>> Imagine(const std::vector<planner::Path>& paths);
 
   // Networks' answers asked for since the last SetRoot.
   std::int64_t evaluations() const { return evaluations_; }

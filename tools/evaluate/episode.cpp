@@ -1,31 +1,50 @@
 #include "tools/evaluate/episode.h"
 
-#include <chrono>
-#include <cmath>
+#include <stdexcept>
 
-#include "base/sensor_noise.h"
-#include "sim/rollout.h"
+#include "agent/episode.h"
 
 namespace prospect::tools {
 namespace {
 
-// What the camera's user sees: frame numbers count ticks, as on the bus and in data sets.
-std::vector<std::uint8_t> Look(sim::Task& task, std::uint64_t seed, double image_noise) {
-  std::vector<std::uint8_t> pixels = task.Observe().rgb;
-  const auto frame =
-      static_cast<std::int64_t>(std::llround(task.progress().time / task.spec().tick_seconds));
-  base::AddSensorNoise(pixels.data(), pixels.size(), seed, frame, image_noise);
-  return pixels;
+using planner::NextStep;
+
+Ending EndingFrom(const std::string& outcome) {
+  if (outcome == "solved") return Ending::kSolved;
+  if (outcome == "refused") return Ending::kRefused;
+  if (outcome == "stopped") return Ending::kStopped;
+  if (outcome == "failed") return Ending::kFailed;
+  throw std::logic_error("an episode ended as '" + outcome + "'");
 }
 
-double SecondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+// By the world, which the agent does not know.
+void Judge(const sim::Task& task, const Goal& goal, EpisodeRecord* measured) {
+  const sim::Progress progress = task.progress();
+  if (progress.outcome == sim::Outcome::kFailure) measured->reason = progress.reason;
+  if (progress.outcome != sim::Outcome::kSuccess) return;
+  const bool holds = planner::Holds(goal, task.Facts());
+  measured->ending = holds ? Ending::kSolved : Ending::kFailed;
+  measured->reason = holds ? "" : "goal not reached";
 }
 
-Ending EndingOf(const sim::Progress& progress, const EpisodeRecord& record) {
-  if (progress.outcome == sim::Outcome::kSuccess) return Ending::kSolved;
-  if (progress.outcome == sim::Outcome::kFailure) return Ending::kFailed;
-  return record.actions.empty() ? Ending::kRefused : Ending::kStopped;
+EpisodeRecord Measured(const agent::EpisodeRecord& record, const sim::Task& task,
+                       const Goal& goal) {
+  EpisodeRecord measured;
+  measured.ending = EndingFrom(record.outcome);
+  measured.reason = record.reason;
+  measured.evaluations = record.evaluations;
+  measured.rollouts = record.rollouts;
+  for (const agent::ActRecord& act : record.acts) measured.actions.push_back(act.action);
+  for (const agent::SearchRecord& search : record.searches) {
+    measured.seconds_per_plan.push_back(search.decision_seconds);
+    measured.scores.push_back(search.score);
+    measured.surprises.push_back(search.surprise);
+    measured.begun_anew += search.kind == NextStep::Kind::kAnew;
+    measured.carried_on += search.kind == NextStep::Kind::kCarryOn;
+  }
+  if (!measured.scores.empty()) measured.first_score = measured.scores.front();
+  Judge(task, goal, &measured);
+  return measured;
 }
 
 }  // namespace
@@ -45,44 +64,22 @@ const char* ToString(Ending ending) {
 }
 
 EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, double image_noise,
-                         const Goal& goal, const AfterAction& after) {
-  task.Reset(seed);
-  EpisodeRecord record;
-  planner::Path executed;
-  std::vector<std::uint8_t> latest = Look(task, seed, image_noise);
-  decider.Begin(seed, latest);
-  while (task.progress().outcome == sim::Outcome::kRunning) {
-    const auto start = std::chrono::steady_clock::now();
-    const Decision decision = decider.Decide(executed, latest, task);
-    record.seconds_per_plan.push_back(SecondsSince(start));
-    if (executed.empty()) record.first_score = decision.score;
-    record.evaluations += decision.evaluations;
-    record.rollouts += decision.rollouts;
-    record.reason = decision.reason;
-    record.scores.push_back(decision.score);
-    record.surprises.push_back(decision.surprise);
-    record.begun_anew += decision.anew;
-    record.carried_on += decision.carried_on;
-    if (decision.action < 0) break;
-    record.actions.push_back(decision.action);
-    if (!sim::RunAction(task, decision.action, nullptr)) {
-      record.ending = Ending::kFailed;
-      record.reason = "illegal action";
-      return record;
-    }
-    executed.push_back(static_cast<std::uint8_t>(decision.action));
-    latest = Look(task, seed, image_noise);
-    if (after && task.progress().outcome == sim::Outcome::kRunning) after(task);
-  }
-  const sim::Progress progress = task.progress();
-  record.ending = EndingOf(progress, record);
-  if (record.ending == Ending::kFailed) record.reason = progress.reason;
-  if (record.ending == Ending::kSolved) record.reason.clear();
-  if (record.ending == Ending::kSolved && !planner::Holds(goal, task.Facts())) {
-    record.ending = Ending::kFailed;
-    record.reason = "goal not reached";
-  }
-  return record;
+                         const Goal& goal, const AfterAction& after, agent::Listener* listener) {
+  agent::Listener nobody;
+  SimulatedWorld world(task, seed, image_noise, after);
+  decider.mind->Enter(task, seed);
+  agent::Episode episode(world, decider.mind.get(), decider.options,
+                         listener != nullptr ? *listener : nobody);
+  return Measured(episode.Run(), task, goal);
+}
+
+EpisodeRecord RunGivenPlan(sim::Task& task, const std::vector<int>& plan, std::uint64_t seed) {
+  agent::Listener nobody;
+  SimulatedWorld world(task, seed, 0);
+  agent::EpisodeOptions options;
+  options.policy = "plan";
+  options.plan = [&plan] { return plan; };
+  return Measured(agent::Episode(world, nullptr, options, nobody).Run(), task, {});
 }
 
 }  // namespace prospect::tools

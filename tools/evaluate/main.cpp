@@ -25,8 +25,6 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
-#include "tools/evaluate/novelty_gate.h"
-#include "tools/evaluate/open_loop.h"
 #include "tools/evaluate/recovery.h"
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/scene_draw.h"

@@ -1,12 +1,15 @@
 #include "tools/evaluate/shift_sweep.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
+#include "agent/episode.h"
 #include "tools/common/interval.h"
 #include "tools/evaluate/episode.h"
-#include "tools/evaluate/first_picture.h"
-#include "tools/evaluate/open_loop.h"
 #include "tools/evaluate/search_deciders.h"
+#include "tools/evaluate/simulated_world.h"
 
 namespace prospect::tools {
 namespace {
@@ -21,21 +24,6 @@ sim::TaskOptions Shifted(const sim::TaskOptions& world, const ShiftPoint& point)
   if (point.strength > 0) sim::SetShift(point.factor, point.strength, &options);
   return options;
 }
-
-// Knows one plan and nothing else.
-class Given : public Decider {
- public:
-  explicit Given(const planner::Path& plan) { decision_.plan = plan; }
-  void Begin(std::uint64_t, const std::vector<std::uint8_t>&) override {}
-  Decision Decide(const planner::Path&, const std::vector<std::uint8_t>&, sim::Task&) override {
-    Decision decision = decision_;
-    decision.action = decision.plan.front();
-    return decision;
-  }
-
- private:
-  Decision decision_;
-};
 
 json PointSummary(const std::vector<json>& scenes, const ShiftPoint& point) {
   int solved = 0, refused = 0, failed = 0, unlike = 0;
@@ -99,37 +87,43 @@ json ShiftSweep::Run(std::uint64_t scene_seed) {
   return record;
 }
 
-json ShiftSweep::RunPoint(std::uint64_t scene_seed, std::size_t point) {
+agent::EpisodeRecord ShiftSweep::LookAndPlan(std::uint64_t scene_seed, std::size_t point) {
+  auto planner = MakeLearned(PlanBy::kSearch, engine_.get(), options_.search);
+  // How unlike the known ones a picture is is told in any case; no p-value lies below this.
+  const double level = std::max(options_.novelty_level, std::numeric_limits<double>::min());
+  if (gauge_) planner = MakeNoveltyGate(std::move(planner), engine_.get(), *gauge_, level);
+  planner->options.explain_only = true;
   const double noise = Shifted(options_.world, options_.points[point]).image_noise;
-  const auto picture = FirstPicture(*looking_[point], scene_seed, noise);
-  json record = {{"ending", "refused"}, {"unlike", false}, {"p", nullptr}};
-  if (gauge_) {
-    const auto novelty = gauge_->Judge(model::TakeNoveltySample(*engine_, picture));
-    record["p"] = novelty.p;
-    if (novelty.p < options_.novelty_level) {
-      record["unlike"] = true;
-      record["reason"] = model::NoveltyRefusal(novelty);
-      return record;
-    }
-  }
-  const auto planner = MakeLearned(PlanBy::kSearch, engine_.get(), options_.search);
-  planner->Begin(scene_seed, picture);
-  const Decision decision = planner->Decide({}, picture, *looking_[point]);
-  record["score"] = decision.score;
-  record["reason"] = decision.reason;
-  if (decision.action < 0) return record;
-  const End& end = CarryOut(scene_seed, decision.plan);
-  record["plan"] = decision.plan;
+  SimulatedWorld world(*looking_[point], scene_seed, noise);
+  planner->mind->Enter(*looking_[point], scene_seed);
+  agent::Listener nobody;
+  return agent::Episode(world, planner->mind.get(), planner->options, nobody).Run();
+}
+
+json ShiftSweep::RunPoint(std::uint64_t scene_seed, std::size_t point) {
+  const agent::EpisodeRecord seen = LookAndPlan(scene_seed, point);
+  const agent::SearchRecord& search = seen.searches.front();
+  json record = {{"ending", "refused"},
+                 {"reason", search.reason},
+                 {"score", search.score},
+                 {"unlike", seen.familiarity && seen.familiarity->foreign()},
+                 {"p", nullptr}};
+  if (seen.familiarity) record["p"] = seen.familiarity->novelty.p;
+  if (!search.act) return record;
+  std::vector<int> plan;
+  for (const agent::StepRecord& step : search.steps) plan.push_back(step.action);
+  const End& end = CarryOut(scene_seed, plan);
+  record["plan"] = plan;
   record["ending"] = end.ending;
   record["reason"] = end.reason;
   return record;
 }
 
-const ShiftSweep::End& ShiftSweep::CarryOut(std::uint64_t scene_seed, const planner::Path& plan) {
+const ShiftSweep::End& ShiftSweep::CarryOut(std::uint64_t scene_seed,
+                                            const std::vector<int>& plan) {
   const auto known = ends_.find(plan);
   if (known != ends_.end()) return known->second;
-  const auto decider = MakeOpenLoop(std::make_unique<Given>(plan));
-  const EpisodeRecord episode = RunEpisode(*world_, *decider, scene_seed, 0);
+  const EpisodeRecord episode = RunGivenPlan(*world_, plan, scene_seed);
   return ends_[plan] = {ToString(episode.ending), episode.reason};
 }
 

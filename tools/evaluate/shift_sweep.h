@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "agent/record.h"
 #include "model/engine.h"
 #include "model/novelty.h"
-#include "planner/path.h"
 #include "planner/search_parameters.h"
 #include "sim/shift.h"
 #include "sim/task.h"
@@ -56,14 +56,15 @@ class ShiftSweep {
     std::string ending, reason;
   };
   nlohmann::json RunPoint(std::uint64_t scene_seed, std::size_t point);
-  const End& CarryOut(std::uint64_t scene_seed, const planner::Path& plan);
+  agent::EpisodeRecord LookAndPlan(std::uint64_t scene_seed, std::size_t point);
+  const End& CarryOut(std::uint64_t scene_seed, const std::vector<int>& plan);
 
   SweepOptions options_;
   std::unique_ptr<model::Engine> engine_;
   std::optional<model::NoveltyGauge> gauge_;
   std::unique_ptr<sim::Task> world_;                 // without a shift: where plans are carried out
   std::vector<std::unique_ptr<sim::Task>> looking_;  // one a point: where pictures are taken
-  std::map<planner::Path, End> ends_;                // of plans in this scene
+  std::map<std::vector<int>, End> ends_;             // of plans in this scene
 };
 
 // For each point {name, factor, strength, amount, scenes, solved, refused, failed, unlike (refused

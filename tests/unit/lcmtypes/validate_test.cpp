@@ -27,6 +27,7 @@ observation_t Picture() {
 search_root_t Root() {
   search_root_t m{};
   m.rule = "paper";
+  m.plan_length = 3;
   m.depth = 3;
   m.samples = 100;
   m.leaves = 1;
@@ -45,6 +46,7 @@ task_t Task() {
   m.image_width = m.image_height = 64;
   m.tick_seconds = 0.1;
   m.action_time_limit = 10;
+  m.causes = {{"time", "it ran out of time"}};
   SetCounts(m);
   return m;
 }
@@ -110,7 +112,9 @@ TEST(Validate, Observation) {
 
 TEST(Validate, SearchRoot) {
   ExpectFaults<search_root_t>(
-      Root(), {{"time_left: not finite", [](auto& m) { m.time_left = kNan; }},
+      Root(), {{"plan_length: out of range", [](auto& m) { m.plan_length = 0; }},
+               {"plan_length: out of range", [](auto& m) { m.plan_length = 33; }},
+               {"time_left: not finite", [](auto& m) { m.time_left = kNan; }},
                {"rule: empty", [](auto& m) { m.rule = ""; }},
                {"parameter_values: not finite", [](auto& m) { m.parameter_values[0] = kNan; }},
                {"depth: out of range", [](auto& m) { m.depth = 33; }},
@@ -131,7 +135,9 @@ TEST(Validate, Task) {
                {"plan_length: out of range", [](auto& m) { m.plan_length = 0; }},
                {"image: out of range", [](auto& m) { m.image_width = 0; }},
                {"tick_seconds: not positive", [](auto& m) { m.tick_seconds = kNan; }},
-               {"action_time_limit: not positive", [](auto& m) { m.action_time_limit = 0; }}});
+               {"action_time_limit: not positive", [](auto& m) { m.action_time_limit = 0; }},
+               {"causes: empty name or words", [](auto& m) { m.causes[0].words.clear(); }},
+               {"causes: empty name or words", [](auto& m) { m.causes[0].name.clear(); }}});
 }
 
 TEST(Validate, SearchStatistics) {
@@ -187,11 +193,13 @@ TEST(Validate, Commands) {
   sim_command_t reset{};
   reset.kind = sim_command_t::KIND_RESET;
   reset.episode_id = 1;
-  ExpectFaults<sim_command_t>(reset, {{"kind: unknown", [](auto& m) { m.kind = 4; }},
-                                      {"seed: negative", [](auto& m) { m.seed = -1; }},
-                                      {"episode_id: below 1", [](auto& m) { m.episode_id = 0; }},
-                                      {"objects: out of range", [](auto& m) { m.objects = -1; }},
-                                      {"legs: out of range", [](auto& m) { m.legs = 33; }}});
+  ExpectFaults<sim_command_t>(
+      reset, {{"kind: unknown", [](auto& m) { m.kind = 4; }},
+              {"seed: negative", [](auto& m) { m.seed = -1; }},
+              {"present_episode_id: negative", [](auto& m) { m.present_episode_id = -1; }},
+              {"episode_id: below 1", [](auto& m) { m.episode_id = 0; }},
+              {"objects: out of range", [](auto& m) { m.objects = -1; }},
+              {"legs: out of range", [](auto& m) { m.legs = 33; }}});
 }
 
 TEST(Validate, StatusPlanAndHealth) {
@@ -221,6 +229,7 @@ TEST(Validate, ModelAndPictures) {
   info.image_width = info.image_height = 64;
   ExpectFaults<model_info_t>(
       info, {{"num_actions: out of range", [](auto& m) { m.num_actions = 0; }},
+             {"judges: neither 0 nor 1", [](auto& m) { m.judges = 2; }},
              {"refusal_threshold: out of 0..1", [](auto& m) { m.refusal_threshold = kNan; }},
              {"queue: negative", [](auto& m) { m.queue = -1; }}});
   calibration_t calibration{};
@@ -244,6 +253,17 @@ TEST(Validate, ModelAndPictures) {
   ExpectFaults<predict_reply_t>(predict_reply_t{},
                                 {{"data: wrong picture size", [](auto& m) { m.width = 64; }},
                                  {"hidden: not finite", [](auto& m) { m.hidden = {INFINITY}; }}});
+  predict_reply_t judged{};
+  judged.novelty.resize(1);
+  judged.novelty[0].p = 0.5;
+  SetCounts(judged);
+  const std::string novelty = "novelty: out of range";
+  ExpectFaults<predict_reply_t>(
+      judged, {{"novelty: more than one", [](auto& m) { m.novelty.resize(2), SetCounts(m); }},
+               {novelty, [](auto& m) { m.novelty[0].p = 1.5; }},
+               {novelty, [](auto& m) { m.novelty[0].p = kNan; }},
+               {novelty, [](auto& m) { m.novelty[0].residual = -1; }},
+               {novelty, [](auto& m) { m.novelty[0].state_limit = INFINITY; }}});
   ExpectFaults<predict_request_t>(predict_request_t{},
                                   {{"want: neither 0 nor 1", [](auto& m) { m.want_image = 5; }}});
   ExpectFaults<search_stop_t>(search_stop_t{},

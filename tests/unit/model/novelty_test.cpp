@@ -131,17 +131,17 @@ TEST(CompareRedrawn, APatchIsFoundWhereItIs) {
   EXPECT_THROW(CompareRedrawn(picture, redrawn, 60, 64, {}), std::invalid_argument);
 }
 
-TEST(InWords, NamesWhatStandsOutAndItsLimit) {
+TEST(DescribeNovelty, NamesWhatStandsOutAndItsLimit) {
   Novelty novelty{0.002, 0.051, 0.02, 3.0, 1.2, 1.0, 1.3};
   EXPECT_EQ(NoveltyRefusal(novelty),
             "this picture is unlike what the networks were trained on (p 0.002: it cannot be "
             "redrawn: error 0.051, 99 % of known pictures stay below 0.020)");
   novelty.error = 0.01;
-  EXPECT_EQ(InWords(novelty),
+  EXPECT_EQ(DescribeNovelty(novelty),
             "p 0.002: it cannot be redrawn: parts of it differ 3.00 times as much as usual, 99 % "
             "of known pictures stay below 1.20");
   novelty.state = 9;
-  EXPECT_EQ(InWords(novelty),
+  EXPECT_EQ(DescribeNovelty(novelty),
             "p 0.002: its hidden state lies 9.00 times as far out as usual, 99 % of known pictures "
             "stay below 1.30");
 }

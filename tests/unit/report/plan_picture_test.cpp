@@ -10,7 +10,7 @@
 
 namespace prospect::report {
 
-using namespace services;
+using namespace agent;
 
 namespace {
 

@@ -10,7 +10,7 @@ bool Holds(const std::string& text, const std::string& part) {
 }
 
 // 30 scenes that score 0.2 to 0.229, a third solved, and 50 that score 0.8 to 0.849.
-services::RefusalTerms Terms() {
+agent::RefusalTerms Terms() {
   model::CalibrationSample sample;
   for (int i = 0; i < 80; ++i) {
     const bool sure = i >= 30;
@@ -18,7 +18,7 @@ services::RefusalTerms Terms() {
         {(sure ? 0.77 : 0.2) + 0.001 * i, model::SceneClass::kSolvable,
          sure || i % 3 == 0 ? model::SceneEnding::kSolved : model::SceneEnding::kFailed});
   }
-  return services::TermsOf(sample, "paper", {}, false);
+  return agent::TermsOf(sample, "paper", {}, false);
 }
 
 TEST(RiskChart, ShowsTheCurveAndTheThresholdOnIt) {

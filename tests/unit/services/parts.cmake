@@ -13,9 +13,7 @@ if(TARGET prospect_model_server_lib)
 endif()
 if(TARGET prospect_executive_lib)
   find_package(nlohmann_json 3 REQUIRED)
-  prospect_test(services_executive_test SOURCES parts/confidence_test.cpp parts/course_test.cpp parts/episode_goal_test.cpp parts/explanation_test.cpp
-    parts/familiarity_test.cpp parts/policy_test.cpp parts/report_test.cpp
-    LIBS prospect_executive_lib nlohmann_json::nlohmann_json)
+  prospect_test(services_executive_test SOURCES parts/policy_test.cpp LIBS prospect_executive_lib)
 endif()
 if(TARGET prospect_replay_lib)
   prospect_test(services_replay_test SOURCES parts/journal_test.cpp LIBS prospect_replay_lib)

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/rollout.h"
 #include "sim/task_factory.h"
 
 namespace prospect::sim {
@@ -40,6 +45,31 @@ TEST(TaskSpec, HashChangesWithEachPart) {
   other = spec;
   other.successors[0].pop_back();
   EXPECT_NE(other.Hash(), spec.Hash());
+}
+
+TEST(TaskSpec, EveryCauseHasANameOfItsOwnAndWords) {
+  for (const std::string& name : TaskNames()) {
+    std::set<std::string> names;
+    for (const CauseSpec& cause : MakeTask(name)->spec().causes) {
+      EXPECT_TRUE(names.insert(cause.name).second) << name << ": " << cause.name;
+      EXPECT_FALSE(cause.words.empty()) << name << ": " << cause.name;
+    }
+    EXPECT_EQ(names.count("time"), 1u) << name;
+  }
+}
+
+TEST(TaskSpec, WhatTrialsFailOfIsAmongTheCauses) {
+  const auto task = MakeTask("navigation");
+  std::set<std::string> causes, seen;
+  for (const CauseSpec& cause : task->spec().causes) causes.insert(cause.name);
+  for (std::uint64_t seed = 1'400'000; seed < 1'400'012; ++seed) {
+    task->Reset(seed);
+    const std::vector<int> legal = task->LegalActions();
+    const RolloutResult result = RunPlan(*task, {legal.at(0), legal.at(1), legal.at(2)}, nullptr);
+    if (result.outcome == Outcome::kFailure) seen.insert(result.reason);
+  }
+  EXPECT_FALSE(seen.empty());
+  for (const std::string& reason : seen) EXPECT_EQ(causes.count(reason), 1u) << reason;
 }
 
 TEST(TaskFactory, NamesTheTasksItKnows) {

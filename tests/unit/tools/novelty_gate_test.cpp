@@ -1,10 +1,9 @@
 // With the bundled weights and pictures of the simulator.
 
-#include "tools/evaluate/novelty_gate.h"
-
 #include <gtest/gtest.h>
 
 #include "sim/task_factory.h"
+#include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
 #include "tools/evaluate/first_picture.h"
 
@@ -46,16 +45,25 @@ const Known& TheKnown() {
 }
 
 // Begins with a legal action, whatever it sees.
-class Bold : public Decider {
+class Bold : public LocalMind {
  public:
-  void Begin(std::uint64_t, const std::vector<std::uint8_t>&) override {}
-  Decision Decide(const planner::Path&, const std::vector<std::uint8_t>&,
-                  sim::Task& task) override {
-    Decision decision;
-    decision.action = task.LegalActions().at(0);
-    return decision;
+  void Enter(sim::Task& task, std::uint64_t) override { task_ = &task; }
+
+ private:
+  agent::SearchAnswer Find(const agent::SearchQuestion&) override {
+    agent::SearchAnswer answer;
+    answer.plan = PlanOf({static_cast<std::uint8_t>(task_->LegalActions().at(0))}, "");
+    return answer;
   }
+
+  sim::Task* task_ = nullptr;
 };
+
+std::unique_ptr<Decider> GatedBold(const Known& known, double level) {
+  auto decider = std::make_unique<Decider>();
+  decider->mind = std::make_unique<Bold>();
+  return MakeNoveltyGate(std::move(decider), known.engine.get(), *known.gauge, level);
+}
 
 TEST(NoveltyGate, KnownPicturesPassAtAboutTheChosenRate) {
   const Known& known = TheKnown();
@@ -84,8 +92,7 @@ TEST(NoveltyGate, RefusesBeforeTheFirstActionAndSaysWhy) {
   sim::TaskOptions options;
   sim::SetShift("colour", sim::kShiftStrengths, &options);
   const auto foreign = sim::MakeTask("navigation", options);
-  const auto gate =
-      MakeNoveltyGate(std::make_unique<Bold>(), known.engine.get(), *known.gauge, kLevel);
+  const auto gate = GatedBold(known, kLevel);
   const EpisodeRecord refused = RunEpisode(*foreign, *gate, kFirst, options.image_noise);
   EXPECT_EQ(refused.ending, Ending::kRefused);
   EXPECT_TRUE(refused.actions.empty());
@@ -94,7 +101,7 @@ TEST(NoveltyGate, RefusesBeforeTheFirstActionAndSaysWhy) {
       << refused.reason;
   const EpisodeRecord usual = RunEpisode(*known.task, *gate, kFirst, 0.01);
   EXPECT_NE(usual.ending, Ending::kRefused) << usual.reason;
-  const auto open = MakeNoveltyGate(std::make_unique<Bold>(), known.engine.get(), *known.gauge, 0);
+  const auto open = GatedBold(known, 0);
   EXPECT_NE(RunEpisode(*foreign, *open, kFirst, 0.01).ending, Ending::kRefused);
 }
 

@@ -1,8 +1,7 @@
-#include "tools/evaluate/open_loop.h"
-
 #include <gtest/gtest.h>
 
 #include "sim/task_factory.h"
+#include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
 
 namespace prospect::tools {
@@ -11,38 +10,38 @@ namespace {
 constexpr std::uint64_t kScene = 1'400'000;  // a tuning scene: never in a reported figure
 
 // Plans the first `length` legal actions and counts how often it is asked.
-class Counting : public Decider {
+class Counting : public LocalMind {
  public:
   Counting(int length, int* asked) : length_(length), asked_(asked) {}
-  void Begin(std::uint64_t, const std::vector<std::uint8_t>&) override {}
-  Decision Decide(const planner::Path& executed, const std::vector<std::uint8_t>&,
-                  sim::Task& task) override {
-    ++*asked_;
-    Decision decision;
-    if (length_ == 0) {
-      decision.reason = "no plan";
-      return decision;
-    }
-    const std::vector<int> legal = task.LegalActions();
-    decision.action = legal.at(0);
-    if (executed.empty()) {
-      for (int i = 0; i < length_; ++i)
-        decision.plan.push_back(static_cast<std::uint8_t>(legal.at(static_cast<std::size_t>(i))));
-    }
-    return decision;
-  }
+  void Enter(sim::Task& task, std::uint64_t) override { task_ = &task; }
 
  private:
+  agent::SearchAnswer Find(const agent::SearchQuestion&) override {
+    ++*asked_;
+    const std::vector<int> legal = task_->LegalActions();
+    agent::SearchAnswer answer;
+    answer.plan = PlanOf(planner::Path(legal.begin(), legal.begin() + length_), "no plan");
+    return answer;
+  }
+
+  sim::Task* task_ = nullptr;
   int length_;
   int* asked_;
 };
+
+std::unique_ptr<Decider> OpenLoopOf(int length, int* asked) {
+  auto decider = std::make_unique<Decider>();
+  decider->mind = std::make_unique<Counting>(length, asked);
+  decider->options.novelty = 0;
+  return MakeOpenLoop(std::move(decider));
+}
 
 TEST(OpenLoop, ThePlanIsCarriedOutAsItIs) {
   const auto task = sim::MakeTask("navigation");
   task->Reset(kScene);
   const std::vector<int> legal = task->LegalActions();
   int asked = 0;
-  const auto open = MakeOpenLoop(std::make_unique<Counting>(3, &asked));
+  const auto open = OpenLoopOf(3, &asked);
   for (int round = 1; round <= 2; ++round) {  // the second scene begins afresh
     const EpisodeRecord record = RunEpisode(*task, *open, kScene, 0.01);
     EXPECT_EQ(asked, round);
@@ -58,7 +57,7 @@ TEST(OpenLoop, AnEpisodeThatGoesOnAfterThePlanIsStopped) {
   int stopped = 0;
   for (std::uint64_t seed = kScene; seed < kScene + 10; ++seed) {
     int asked = 0;
-    const auto open = MakeOpenLoop(std::make_unique<Counting>(1, &asked));
+    const auto open = OpenLoopOf(1, &asked);
     const EpisodeRecord record = RunEpisode(*task, *open, seed, 0.01);
     EXPECT_EQ(record.actions.size(), 1u);
     EXPECT_EQ(asked, 1);
@@ -72,7 +71,7 @@ TEST(OpenLoop, AnEpisodeThatGoesOnAfterThePlanIsStopped) {
 TEST(OpenLoop, ARefusalStaysOne) {
   const auto task = sim::MakeTask("navigation");
   int asked = 0;
-  const auto open = MakeOpenLoop(std::make_unique<Counting>(0, &asked));
+  const auto open = OpenLoopOf(0, &asked);
   const EpisodeRecord record = RunEpisode(*task, *open, kScene, 0.01);
   EXPECT_EQ(record.ending, Ending::kRefused);
   EXPECT_EQ(record.reason, "no plan");

@@ -8,7 +8,6 @@
 
 #include "model/weights.h"
 #include "tools/evaluate/episode.h"
-#include "tools/evaluate/open_loop.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/search_deciders.h"
 

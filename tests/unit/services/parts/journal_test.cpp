@@ -49,6 +49,7 @@ search_root_t TreeRoot(std::int64_t seed) {
   root.search_id = 77 + seed;
   root.task = "scripted-tree";
   root.task_hash = TreeTask().task_hash;
+  root.plan_length = TreeTask().plan_length;
   root.time_left = -1;
   root.leaves = 2;
   root.budget_ms = -1;

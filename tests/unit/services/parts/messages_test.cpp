@@ -4,6 +4,7 @@
 
 #include "services/binding/calibration_messages.h"
 #include "services/binding/evaluation_messages.h"
+#include "services/binding/novelty_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/statistics_messages.h"
 #include "services/binding/task_messages.h"
@@ -136,10 +137,11 @@ TEST(TaskMessages, RulesFollowTheTable) {
   EXPECT_TRUE(rules.Complete({1}, {0}));
 }
 
-search_root_t RootWith(const std::vector<std::string>& goals) {
+search_root_t RootWith(const std::vector<std::string>& goals, int plan_length = 2) {
   search_root_t root{};
   root.goals = goals;
   root.num_goals = static_cast<std::int32_t>(goals.size());
+  root.plan_length = plan_length;
   return root;
 }
 
@@ -150,10 +152,10 @@ TEST(TaskMessages, TheGoalOfASearchNarrowsItsRules) {
   for (auto& action : task.actions) action.kind = "investigate";
   task.actions[0].object = "barrel";
   task.actions[1].object = "pylon";
-  EXPECT_EQ(RulesOfSearch(task, RootWith({})).AllowedActions({}, {}), (std::vector<int>{0}));
-  EXPECT_TRUE(RulesOfSearch(task, RootWith({})).finishes.empty()) << "as the task's own";
+  EXPECT_EQ(RulesOfSearch(task, RootWith({}, 1)).AllowedActions({}, {}), (std::vector<int>{0}));
+  EXPECT_TRUE(RulesOfSearch(task, RootWith({}, 1)).finishes.empty()) << "as the task's own";
   task.initial = {0, 1};
-  EXPECT_EQ(RulesOfSearch(task, RootWith({"visited(pylon)"})).AllowedActions({}, {}),
+  EXPECT_EQ(RulesOfSearch(task, RootWith({"visited(pylon)"}, 1)).AllowedActions({}, {}),
             (std::vector<int>{1}));
   task.plan_length = 2;
   const auto both = RulesOfSearch(task, RootWith({"visited(pylon)", "visited(barrel)"}));
@@ -180,8 +182,7 @@ TEST(TaskMessages, AGoalHoldsForPlansBegunAnewToo) {
   task.plan_length = 4;
   task.repeats_allowed = 1;
   task.num_actions = 4;
-  search_root_t root = RootWith({"visited(a3)"});
-  SetPlanLength(5, &root);
+  const search_root_t root = RootWith({"visited(a3)"}, 5);
   const auto rules = RulesOfSearch(task, root);
   EXPECT_TRUE(rules.AllowedActions({}, {}).empty()) << "no plan of five begins at the beginning";
   EXPECT_EQ(rules.AllowedActions({1}, {}), (std::vector<int>{0}));
@@ -219,6 +220,18 @@ TEST(TaskMessages, IndexOutsideTheTableIsRefused) {
   task_t task = SmallTask();
   task.initial = {0, 9};
   EXPECT_THROW(RulesFromTask(task), std::runtime_error);
+}
+
+TEST(NoveltyMessages, ComeBackAsTheyWent) {
+  const model::Novelty sent{0.002, 0.051, 0.02, 3.25, 1.2, 1.0, 1.3};
+  const model::Novelty back = FromMessage(ToMessage(sent));
+  EXPECT_EQ(back.p, sent.p);
+  EXPECT_EQ(back.error, sent.error);
+  EXPECT_EQ(back.error_limit, sent.error_limit);
+  EXPECT_EQ(back.residual, sent.residual);
+  EXPECT_EQ(back.residual_limit, sent.residual_limit);
+  EXPECT_EQ(back.state, sent.state);
+  EXPECT_EQ(back.state_limit, sent.state_limit);
 }
 
 }  // namespace

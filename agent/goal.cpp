@@ -1,0 +1,47 @@
+#include "agent/goal.h"
+
+#include "agent/plan_context.h"
+
+namespace prospect::agent {
+
+EpisodeGoal::EpisodeGoal(const std::string& text) {
+  if (!text.empty()) atoms_ = planner::ParseGoal(text);
+}
+
+std::vector<std::string> EpisodeGoal::Atoms() const {
+  std::vector<std::string> atoms;
+  for (const auto& atom : atoms_) atoms.push_back(planner::ToString(atom));
+  return atoms;
+}
+
+std::string EpisodeGoal::Defect(const TaskView& task,
+                                const std::optional<SceneLabel>& label) const {
+  if (empty()) return "";
+  try {
+    RulesFor(task);
+  } catch (const planner::GoalError& error) {
+    return error.what();
+  }
+  if (!label) return "";
+  const auto present = ObjectsPresent(task, *label);
+  for (const auto& atom : atoms_) {
+    for (const auto& name : atom.arguments) {
+      if (name != "*" && !present.count(name))
+        return "there is no " + name +
+               " in this scene; there are: " + Listed({present.begin(), present.end()});
+    }
+  }
+  return "";
+}
+
+planner::TaskRules EpisodeGoal::RulesFor(const TaskView& task) const {
+  planner::TaskRules rules = task.rules;
+  planner::SetGoal(atoms_, task.words, &rules);
+  return rules;
+}
+
+bool EpisodeGoal::Reached(const TaskView& task, const planner::Path& executed) const {
+  return empty() || RulesFor(task).GoalMet(executed, {});
+}
+
+}  // namespace prospect::agent

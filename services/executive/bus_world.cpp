@@ -1,0 +1,86 @@
+#include "services/executive/bus_world.h"
+
+#include "services/executive/preparation.h"
+#include "services/executive/task_view_messages.h"
+
+namespace prospect::services {
+namespace {
+
+// Whoever carries actions out and says of one that it ended otherwise has given it up.
+agent::ActionState StateOf(const action_status_t& status) {
+  switch (status.state) {
+    case action_status_t::STATE_SUCCEEDED:
+      return agent::ActionState::kSucceeded;
+    case action_status_t::STATE_FAILED:
+      return agent::ActionState::kFailed;
+    case action_status_t::STATE_REFUSED:
+      return agent::ActionState::kRefused;
+    default:
+      return agent::ActionState::kCancelled;
+  }
+}
+
+agent::TrialOutcome OutcomeOf(const action_status_t& status) {
+  switch (status.outcome) {
+    case label_t::OUTCOME_RUNNING:
+      return agent::TrialOutcome::kRunning;
+    case label_t::OUTCOME_SUCCESS:
+      return agent::TrialOutcome::kSuccess;
+    case label_t::OUTCOME_FAILURE:
+      return agent::TrialOutcome::kFailure;
+    default:
+      return agent::TrialOutcome::kUnknown;
+  }
+}
+
+agent::Glimpse GlimpseOf(const observation_t& observation) {
+  return {PictureOf(observation), observation.frame,
+          1e-6 * static_cast<double>(observation.sim_time_us)};
+}
+
+}  // namespace
+
+void BusWorld::Await() {
+  talk_.health().SetState(health_t::STATE_BUSY);
+  AwaitServices(talk_, options_);
+  RequireWorld(talk_, options_);
+  talk_.HoldWorld();
+  if (options_.reset || !options_.explain_only) talk_.ClaimRobot();
+  task_ = TaskViewOf(*talk_.view().task());
+}
+
+agent::Glimpse BusWorld::Begin() {
+  PrepareScene(talk_, options_);
+  const observation_t first = services::Look(talk_, 0);
+  talk_.HoldTask();
+  task_ = TaskViewOf(*talk_.view().task());
+  return GlimpseOf(first);
+}
+
+std::int64_t BusWorld::seed() const {
+  if (options_.reset) return options_.seed;
+  const auto& label = talk_.view().label();
+  return label ? label->seed : -1;
+}
+
+std::optional<agent::SceneLabel> BusWorld::label() const {
+  const auto& label = talk_.view().label();
+  if (!label) return std::nullopt;
+  return SceneLabelOf(*label);
+}
+
+agent::ActionResult BusWorld::CarryOut(int action) {
+  const action_status_t status = actions_.CarryOut(action);
+  frame_ = status.frame;
+  return {StateOf(status), OutcomeOf(status), status.reason};
+}
+
+agent::Glimpse BusWorld::Look() { return GlimpseOf(services::Look(talk_, frame_)); }
+
+std::vector<agent::Picture> BusWorld::Frames() const {
+  std::vector<agent::Picture> frames;
+  for (const auto& [frame, picture] : talk_.view().frames()) frames.push_back(picture);
+  return frames;
+}
+
+}  // namespace prospect::services
