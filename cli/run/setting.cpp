@@ -39,8 +39,9 @@ Words CheckCommand(const SceneOptions& scene, const std::string& task) {
 std::string WeightsFile(const std::string& wish, const std::string& task) {
   if (wish == "scripted") return wish;
   std::error_code none;
-  std::string file = wish.empty() ? DataFolder("model/weights") : wish;
-  if (fs::is_directory(file, none)) file += "/" + task + ".safetensors";
+  std::string file = wish;
+  if (wish.empty() || fs::is_directory(wish, none))
+    file = (wish.empty() ? DataFolder("model/weights") : wish) + "/" + task + ".safetensors";
   if (access(file.c_str(), R_OK) == 0) return file;
   throw ExitError(kExitWeights, "no weights at " + file + ": ./prospect train makes them");
 }
