@@ -44,7 +44,8 @@ struct Command {
   std::string name;     ///< as it is typed: "train", "bench search"
   Group group;          ///
   std::string summary;  ///< one line for `prospect --help`, without a full stop
-  /// The program that carries it out, from the folder of programs; empty: `prospect` itself.
+  /// The program that carries it out, from the folder of programs; empty: `prospect` itself, which
+  /// may also prepare something before it (cli/run/carriers.h).
   std::string program = {};
   std::vector<std::string> arguments = {};  ///< of the program, before what was typed
   std::vector<std::string> also = {};       ///< other programs that it starts

@@ -57,8 +57,7 @@ int TellUnknown(const std::string& typed) {
 // What a build without OpenCV lacks is told as such.
 int BecomeProgram(const Command& command, const Words& typed) {
   if (!command.without_opencv.empty()) RequireOpenCv(command.program, command.without_opencv);
-  Words words{PathOf(command.program)};
-  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  Words words = StartOf(command);
   words.insert(words.end(), typed.begin(), typed.end());
   return Become(words);
 }

@@ -15,6 +15,7 @@
 #include "cli/run/results.h"
 #include "cli/run/setting.h"
 #include "cli/run/starting.h"
+#include "cli/table.h"
 
 namespace prospect::cli {
 namespace {
@@ -80,9 +81,10 @@ base::ChildProcess Started(Words command, int output) {
 // begins the networks say what comes.
 int Gestures(const DemoOptions& options, const std::string& out, const OwnDeployment& own) {
   const std::string seed = std::to_string(options.episode.seed);
-  base::ChildProcess predicting = Started({PathOf("prospect-video"), "predict", "--bus", own.bus(), "--out",
-                                           out, "--seed", seed, "--segment", "3", "--truth", "60"},
-                                          -1);
+  Words predict = StartOf(*FindCommand("predict"));
+  predict.insert(predict.end(), {"--bus", own.bus(), "--out", out, "--seed", seed, "--segment", "3",
+                                 "--truth", "60"});
+  base::ChildProcess predicting = Started(predict, -1);
   int status = own.services().Await("model=1,simulator=1,predict=1");
   const base::Descriptor log = base::OpenOutput(out + "/logs/executive.log");
   base::ChildProcess acting = Started({PathOf("prospect-executive"), "--bus", own.bus(), "--seed",
@@ -114,7 +116,7 @@ void TellResults(const DemoOptions& options, const std::string& out, int status,
 
 Words ProgramsOf(const DemoOptions& options) {
   Words programs = DeployedPrograms();
-  if (options.episode.task == "suturing") programs.push_back("prospect-video");
+  if (options.episode.task == "suturing") programs.push_back(FindCommand("predict")->program);
   return programs;
 }
 
@@ -122,7 +124,7 @@ int Run(const DemoOptions& options, const Invocation& invocation) {
   const std::time_t start = std::time(nullptr);
   const EpisodeOptions& episode = options.episode;
   const bool gestures = episode.task == "suturing";
-  if (gestures) RequireOpenCv("prospect-video", "predicts no pictures");
+  if (gestures) RequireOpenCv(FindCommand("predict")->program, "predicts no pictures");
   const bool searches = options.acting.policy == "search";
   const std::string out =
       episode.out.empty() ? UsualFolder(episode.task, episode.seed) : episode.out;

@@ -51,6 +51,12 @@ int Become(const Words& command) {
   return 127;
 }
 
+Words StartOf(const Command& command) {
+  Words words{PathOf(command.program)};
+  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+  return words;
+}
+
 int RunToEnd(const Words& command) { return RunWith(command, -1); }
 
 int RunToEnd(const Words& command, const std::string& log) {

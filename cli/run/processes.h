@@ -15,6 +15,9 @@ struct Ended {
 /// A program of ours by its path; it need not be there.
 std::string PathOf(const std::string& program);
 
+/// How a command's program is started: its path and the table's arguments.
+Words StartOf(const Command& command);
+
 /// From now on SIGINT and SIGTERM, however often they come, raise the flag of base/stop_signals.h:
 /// what this process has started is ended by it, or, on a terminal, by Ctrl-C itself.
 void HeedSignals();

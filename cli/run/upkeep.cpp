@@ -1,17 +1,15 @@
 // Commands that ask about or of the deployment that is up.
 
 #include <cstdio>
-#include <filesystem>
 
 #include "base/exit_error.h"
-#include "cli/commands/deployment.h"
-#include "cli/installation.h"
 #include "cli/run/bus_place.h"
 #include "cli/run/carriers.h"
 #include "cli/run/deployment.h"
 #include "cli/run/facts.h"
 #include "cli/run/processes.h"
 #include "cli/run/setting.h"
+#include "cli/table.h"
 
 namespace prospect::cli {
 namespace {
@@ -20,14 +18,18 @@ void Append(const Words& more, Words* words) {
   words->insert(words->end(), more.begin(), more.end());
 }
 
-// A program that joins what is up and takes what was typed.
-Words Joining(const std::string& program, const std::string& bus, const std::string& key,
-              const Words& typed) {
+// The command's program, which joins what is up and takes what was typed.
+Words Joining(const std::string& bus, const std::string& key, const Invocation& invocation) {
   TakeKey(key);
   Deployment(bus).Join();
-  Words command{PathOf(program)};
-  Append(typed, &command);
-  return command;
+  Words words = StartOf(invocation.command);
+  Append(invocation.typed, &words);
+  return words;
+}
+
+// The programs of a command that joins what is up.
+Words ProgramsToJoin(const char* command) {
+  return {FindCommand(command)->program, "prospect-supervisor"};
 }
 
 }  // namespace
@@ -70,37 +72,31 @@ int Run(const ScaleOptions& options, const Invocation&) {
   return kExitSuccess;
 }
 
-Words ProgramsOf(const StatusOptions&) { return {"prospect-bus", "prospect-supervisor"}; }
+Words ProgramsOf(const StatusOptions&) { return ProgramsToJoin("status"); }
 
 int Run(const StatusOptions& options, const Invocation& invocation) {
   const std::string bus = BusOf(options.bus.bus);
   RequireRoute(bus);
   const std::string folder = Deployment(bus).Folder();
-  Words command = Joining("prospect-bus", bus, options.bus.key, {"status"});
-  Append(invocation.typed, &command);
+  Words command = Joining(bus, options.bus.key, invocation);
   if (options.services_file.empty())
     Append({"--services-file", folder + "/services.json"}, &command);
   return Become(command);
 }
 
-Words ProgramsOf(const CheckRobotOptions&) { return {"prospect-bus", "prospect-supervisor"}; }
+Words ProgramsOf(const CheckRobotOptions&) { return ProgramsToJoin("check-robot"); }
 
 int Run(const CheckRobotOptions& options, const Invocation& invocation) {
-  Words command =
-      Joining("prospect-bus", BusOf(options.bus.bus), options.bus.key, {"check-robot"});
-  Append(invocation.typed, &command);
-  return Become(command);
+  return Become(Joining(BusOf(options.bus.bus), options.bus.key, invocation));
 }
 
-Words ProgramsOf(const PredictOptions&) { return {"prospect-video", "prospect-supervisor"}; }
+Words ProgramsOf(const PredictOptions&) { return ProgramsToJoin("predict"); }
 
 int Run(const PredictOptions& options, const Invocation& invocation) {
-  RequireOpenCv("prospect-video", "predicts no pictures");
+  RequireOpenCv(invocation.command.program, "predicts no pictures");
   const std::string bus = BusOf(options.bus.bus);
   RequireRoute(bus);
-  Words command = Joining("prospect-video", bus, options.bus.key, {"predict"});
-  Append(invocation.typed, &command);
-  return Become(command);
+  return Become(Joining(bus, options.bus.key, invocation));
 }
 
 }  // namespace prospect::cli
