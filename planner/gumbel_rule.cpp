@@ -27,43 +27,44 @@ double CompletedMean(const ParentView& parent, const ChildView& child) {
 
 class GumbelRule : public SelectionRule {
  public:
-  void ScoreAll(const ParentView& parent, const ChildView* children, int count,
-                double* scores) const override {
+  void ScoreAll(const ParentView& parent, std::span<const ChildView> children,
+                std::span<double> scores) const override {
     std::int64_t most = 0;
-    for (int i = 0; i < count; ++i) most = std::max(most, children[i].visits);
+    for (const ChildView& child : children) most = std::max(most, child.visits);
     const double sigma = (kVisit + static_cast<double>(most)) * kScale;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < children.size(); ++i) {
       scores[i] = Logit(parent, children[i]) + sigma * CompletedMean(parent, children[i]);
     }
     if (parent.root) {
-      Halve(parent, children, count, scores);
+      Halve(parent, children, scores);
     } else {
-      FollowPolicy(children, count, scores);
+      FollowPolicy(children, scores);
     }
   }
   Backup backup() const override { return Backup::kPlanScore; }
 
  private:
-  static void Halve(const ParentView& parent, const ChildView* children, int count,
-                    double* scores) {
+  static void Halve(const ParentView& parent, std::span<const ChildView> children,
+                    std::span<double> scores) {
     std::int64_t visit = 0;
-    for (int i = 0; i < count; ++i) visit += children[i].visits + children[i].in_flight;
-    const std::int64_t due = VisitsDue(visit, std::min(count, kGumbelActions), parent.samples);
-    for (int i = 0; i < count; ++i) {
+    for (const ChildView& child : children) visit += child.visits + child.in_flight;
+    const int actions = std::min(static_cast<int>(children.size()), kGumbelActions);
+    const std::int64_t due = VisitsDue(visit, actions, parent.samples);
+    for (std::size_t i = 0; i < children.size(); ++i) {
       const std::int64_t off = std::abs(children[i].visits + children[i].in_flight - due);
       scores[i] += Gumbel(children[i].draw) - kOneVisit * static_cast<double>(off);
     }
   }
 
-  static void FollowPolicy(const ChildView* children, int count, double* scores) {
-    const double highest = *std::max_element(scores, scores + count);
+  static void FollowPolicy(std::span<const ChildView> children, std::span<double> scores) {
+    const double highest = *std::max_element(scores.begin(), scores.end());
     double sum = 0;
     double visits = 1;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < children.size(); ++i) {
       sum += scores[i] = std::exp(scores[i] - highest);
       visits += static_cast<double>(children[i].visits + children[i].in_flight);
     }
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < children.size(); ++i) {
       const auto here = static_cast<double>(children[i].visits + children[i].in_flight);
       scores[i] = scores[i] / sum - here / visits;
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace prospect::planner {
 
@@ -80,7 +81,8 @@ PathId Search::SelectChild(PathId id, std::int64_t* before) {
 }
 
 int Search::Best(const ParentView& parent, const ChildEntry* entries, int count) {
-  rule_->ScoreAll(parent, views_.data(), count, scores_.data());
+  const auto children = static_cast<std::size_t>(count);
+  rule_->ScoreAll(parent, std::span(views_).first(children), std::span(scores_).first(children));
   int best = 0;
   for (int i = 1; i < count; ++i) {
     const bool tie = scores_[i] == scores_[best];

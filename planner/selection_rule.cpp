@@ -13,10 +13,10 @@ namespace {
 template <typename Rule>
 class ChildByChild : public SelectionRule {
  public:
-  void ScoreAll(const ParentView& parent, const ChildView* children, int count,
-                double* scores) const final {
+  void ScoreAll(const ParentView& parent, std::span<const ChildView> children,
+                std::span<double> scores) const final {
     const Rule& rule = static_cast<const Rule&>(*this);
-    for (int i = 0; i < count; ++i) scores[i] = rule.Of(parent, children[i]);
+    for (std::size_t i = 0; i < children.size(); ++i) scores[i] = rule.Of(parent, children[i]);
   }
 };
 

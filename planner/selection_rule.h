@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,10 +55,10 @@ struct ChildView {
 class SelectionRule {
  public:
   virtual ~SelectionRule() = default;
-  // One score for each of the `count` children, which are all that may be chosen. The child with
-  // the highest score is taken. Never NaN; +infinity is allowed.
-  virtual void ScoreAll(const ParentView& parent, const ChildView* children, int count,
-                        double* scores) const = 0;
+  // One score for each of the children, which are all that may be chosen, into as many `scores`.
+  // The child with the highest score is taken. Never NaN; +infinity is allowed.
+  virtual void ScoreAll(const ParentView& parent, std::span<const ChildView> children,
+                        std::span<double> scores) const = 0;
   virtual Backup backup() const = 0;
 };
 

@@ -87,7 +87,8 @@ void WriteRow(const StatisticsRow& row, const Path& before, bool same_writer, st
 
 class Reader {
  public:
-  Reader(const std::uint8_t* bytes, std::size_t size) : next_(bytes), end_(bytes + size) {}
+  explicit Reader(std::span<const std::uint8_t> bytes)
+      : next_(bytes.data()), end_(bytes.data() + bytes.size()) {}
   bool ok() const { return ok_; }
   bool at_end() const { return next_ == end_; }
   std::size_t left() const { return static_cast<std::size_t>(end_ - next_); }
@@ -177,9 +178,9 @@ std::vector<std::uint8_t> PackRows(const StatisticsBatch& batch) {
   return bytes;
 }
 
-bool UnpackRows(const std::uint8_t* bytes, std::size_t size, StatisticsBatch* batch) {
+bool UnpackRows(std::span<const std::uint8_t> bytes, StatisticsBatch* batch) {
   batch->rows.clear();
-  Reader from(bytes, size);
+  Reader from(bytes);
   const std::vector<std::uint64_t> writers = ReadTable(batch->writer, &from);
   Path path;
   std::size_t place = 0;

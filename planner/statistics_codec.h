@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planner/statistics_batch.h"
@@ -30,6 +31,6 @@ std::vector<std::uint8_t> PackRows(const StatisticsBatch& batch);
 // 0 for relayed ones); batch->writer and batch->sequence must be set. False, and no rows, if the
 // bytes are not rows: cut short, numbers beyond their type, paths longer than kMaxPathLength, v*
 // above 1. Whether rows make sense is for SharedStatistics::Merge to judge.
-bool UnpackRows(const std::uint8_t* bytes, std::size_t size, StatisticsBatch* batch);
+[[nodiscard]] bool UnpackRows(std::span<const std::uint8_t> bytes, StatisticsBatch* batch);
 
 }  // namespace prospect::planner

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kWidth = 620, kHeight = 400;
+constexpr int kWidth = 560, kHeight = 400;  // with room at the right for what is written at points
 constexpr Style kBatchStyle{0.36, kInk, false};
 
 double Workers(const json& row) { return row.at("workers").get<double>(); }
@@ -48,9 +48,7 @@ void DrawPoints(Plot* plot, Canvas* canvas, const json& rows) {
       plot->Line(Workers(*before), Rate(*before), Workers(row), Rate(row), kMark, 2);
     plot->Dot(Workers(row), Rate(row), 4, kMark);
     const std::string batch = base::Number("batch %.1f", row.at("mean_batch").get<double>());
-    const int x = std::min(plot->X(Workers(row)) + 8,
-                           canvas->width() - kMargin - Canvas::TextWidth(batch, kBatchStyle));
-    canvas->Text(x, plot->Y(Rate(row)) + 8, batch, kBatchStyle);
+    canvas->Text(plot->X(Workers(row)) + 8, plot->Y(Rate(row)) + 8, batch, kBatchStyle);
     before = &row;
   }
 }

@@ -46,7 +46,7 @@ planner::StatisticsBatch FromMessage(const search_statistics_t& message) {
   batch.totals.claimed = message.claimed;
   batch.totals.round = message.round;
   // Bytes that are no rows leave none, and the checksum tells the planner.
-  planner::UnpackRows(message.rows.data(), message.rows.size(), &batch);
+  static_cast<void>(planner::UnpackRows(message.rows, &batch));
   return batch;
 }
 

@@ -58,7 +58,7 @@ class ReplayWindow {
  public:
   static constexpr std::uint64_t kWidth = 4096;
   /// @return whether `sequence` is new; it is taken then
-  bool Take(std::uint64_t sequence);
+  [[nodiscard]] bool Take(std::uint64_t sequence);
 
  private:
   std::vector<bool> taken_;  // of the kWidth numbers up to newest_, by number modulo kWidth
@@ -74,7 +74,7 @@ class MessageVerifier {
 
   /// Removes the tag of a message that may be believed. @return null, or why it may not be:
   /// "not authentic" (no tag, changed, another channel, another key) or "replayed" (heard before)
-  const char* Verify(const std::string& channel, std::vector<std::uint8_t>* bytes);
+  [[nodiscard]] const char* Verify(const std::string& channel, std::vector<std::uint8_t>* bytes);
 
  private:
   KeyedMac mac_;

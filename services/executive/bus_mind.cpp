@@ -1,5 +1,7 @@
 #include "services/executive/bus_mind.h"
+#include "base/hash.h"
 
+#include "base/hash.h"
 #include "services/binding/search_messages.h"
 #include "services/executive/preparation.h"
 
@@ -10,7 +12,7 @@ BusMind::BusMind(Conversation& talk, const ExecutiveOptions& options)
 
 agent::MindInfo BusMind::Choose() {
   model_ = ChooseModel(talk_, options_);
-  return {model_.engine, HexText(model_.weights_hash), model_.refusal_threshold};
+  return {model_.engine, base::HexText(model_.weights_hash), model_.refusal_threshold};
 }
 
 const model::CalibrationSample* BusMind::Calibration(bool needed) {

@@ -177,7 +177,7 @@ const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model
   throw ExitError(kExitWeights,
                   "weights " + base::HexText(model.weights_hash) +
                       " carry no calibration sample, so nothing can be promised: make one with "
-                      "./prospect evaluate --calibrate");
+                      "./prospect evaluate calibrate");
 }
 
 observation_t Look(Conversation& talk, std::int64_t frame) {

@@ -15,7 +15,7 @@ class CommandGate {
   explicit CommandGate(std::size_t capacity = 256) : capacity_(capacity) {}
 
   /// True the first time `command_id` of `sender` is seen and no later one was taken before it.
-  bool Take(std::int64_t sender, std::int64_t command_id);
+  [[nodiscard]] bool Take(std::int64_t sender, std::int64_t command_id);
 
  private:
   std::size_t capacity_;

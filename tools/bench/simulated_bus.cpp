@@ -223,7 +223,7 @@ void SimulatedBus::Receive(int index, const std::shared_ptr<const StatisticsBatc
   }
   const auto start = Clock::now();
   StatisticsBatch heard = *batch;
-  const bool read = planner::UnpackRows(bytes->data(), bytes->size(), &heard);
+  const bool read = planner::UnpackRows(*bytes, &heard);
   if (read) search.Merge(heard, events_.now_us());
   result_.statistics_us += std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }

@@ -43,7 +43,7 @@ TEST(GumbelRule, BelowTheRootVisitsFollowTheImprovedPolicy) {
   const ChildView children[] = {Child(3, 0.52, 0), Child(1, 0.5, 0)};
   ParentView parent{4, 0, 0.5, 1.0};
   double scores[2];
-  rule->ScoreAll(parent, children, 2, scores);
+  rule->ScoreAll(parent, children, scores);
   // sigma = 50 + 3: logits differ by 53 * 0.02.
   const double first = 1 / (1 + std::exp(-53 * 0.02));
   EXPECT_NEAR(scores[0], first - 3.0 / 5, 1e-12);

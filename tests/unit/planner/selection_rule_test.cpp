@@ -22,7 +22,7 @@ ChildView Child(double q, std::int64_t visits, std::int64_t in_flight, double me
 // Of a child that has no siblings.
 double Score(const std::string& rule, const ParentView& parent, const ChildView& child) {
   double score = 0;
-  MakeSelectionRule(rule, 10, 1.25)->ScoreAll(parent, &child, 1, &score);
+  MakeSelectionRule(rule, 10, 1.25)->ScoreAll(parent, {&child, 1}, {&score, 1});
   return score;
 }
 

@@ -37,7 +37,7 @@ void ExpectSame(const std::vector<StatisticsRow>& a, const std::vector<Statistic
 void ExpectReturn(const StatisticsBatch& batch) {
   const std::vector<std::uint8_t> bytes = PackRows(batch);
   StatisticsBatch back = Empty();
-  ASSERT_TRUE(UnpackRows(bytes.data(), bytes.size(), &back));
+  ASSERT_TRUE(UnpackRows(bytes, &back));
   ExpectSame(batch.rows, back.rows);
 }
 
@@ -100,7 +100,7 @@ TEST(StatisticsCodec, UsualRowsAreShort) {
 TEST(StatisticsCodec, RefusesWhatIsNoRows) {
   const auto refused = [](std::vector<std::uint8_t> bytes) {
     StatisticsBatch back = Empty();
-    const bool read = UnpackRows(bytes.data(), bytes.size(), &back);
+    const bool read = UnpackRows(bytes, &back);
     EXPECT_TRUE(read || back.rows.empty());
     return !read;
   };
@@ -124,7 +124,7 @@ TEST(StatisticsCodec, SurvivesNoise) {
     std::vector<std::uint8_t> bytes(random() % 60);
     for (std::uint8_t& byte : bytes) byte = random() % 4 == 0 ? random() : random() % 8;
     StatisticsBatch back = Empty();
-    if (!UnpackRows(bytes.data(), bytes.size(), &back)) continue;
+    if (!UnpackRows(bytes, &back)) continue;
     ++read;
     for (const StatisticsRow& row : back.rows) {
       EXPECT_LE(row.path.size(), 32u);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/disk_error.h"
 #include "report/refusal_plot.h"
 #include "tests/unit/model/refusal_sample.h"
 #include "tests/unit/model/test_folder.h"
