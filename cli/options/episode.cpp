@@ -1,6 +1,7 @@
 #include "cli/options/episode.h"
 
 #include "cli/options/rule.h"
+#include "cli/options/search.h"
 #include "cli/options/task.h"
 #include "cli/values.h"
 
@@ -11,11 +12,8 @@ constexpr char kSearchGroup[] = "The search";
 constexpr char kRefusalGroup[] = "When not to act";
 
 void DefineSearch(CLI::App& app, EpisodeOptions& options) {
-  app.add_option("--samples", options.samples, "rollouts a search, over all workers")
-      ->type_name("N")
-      ->transform(Whole(1, 100'000'000))
-      ->capture_default_str()
-      ->group(kSearchGroup);
+  DefineSamples(app, options.samples);
+  app.get_option("--samples")->group(kSearchGroup);
   app.add_option("--depth", options.depth, "actions to look ahead")
       ->type_name("N")
       ->transform(Whole(0, 32))
@@ -31,33 +29,19 @@ void DefineRefusal(CLI::App& app, RefusalOptions& options) {
       app.add_option("--refusal-threshold", options.threshold, "plans that score less are refused")
           ->type_name("X")
           ->check(Real(0, 1))
-          ->default_str("the weights' own")
-          ->group(kRefusalGroup);
-  app.add_option("--refuse-at-most", options.refuse_at_most,
-                 "plans are refused so that at most this share of what can be done is")
-      ->type_name("A")
-      ->check(Share())
-      ->excludes(threshold)
-      ->group(kRefusalGroup);
-  app.add_option("--fail-at-most", options.fail_at_most,
-                 "plans are refused so that at most this share of what is attempted fails, with "
-                 "probability 1 - delta; where both cannot be kept, this is")
-      ->type_name("E")
-      ->check(Share())
-      ->excludes(threshold)
-      ->group(kRefusalGroup);
-  app.add_option("--delta", options.delta, "the delta of --fail-at-most")
-      ->type_name("D")
-      ->check(Share())
-      ->capture_default_str()
-      ->group(kRefusalGroup);
+          ->default_str("the weights' own");
+  DefinePromise(app, options.promise);
   app.add_option("--novelty", options.novelty,
                  "first pictures with a smaller p-value are refused as unlike what the networks "
                  "were trained on; 0: none")
       ->type_name("P")
       ->check(Real(0, 1))
-      ->capture_default_str()
-      ->group(kRefusalGroup);
+      ->capture_default_str();
+  for (const char* name : {"--refuse-at-most", "--fail-at-most"})
+    app.get_option(name)->excludes(threshold);
+  for (const char* name :
+       {"--refusal-threshold", "--refuse-at-most", "--fail-at-most", "--delta", "--novelty"})
+    app.get_option(name)->group(kRefusalGroup);
 }
 
 void DefineWorkers(CLI::App& app, int& workers) {
@@ -97,17 +81,7 @@ void DefineActing(CLI::App& app, ActingOptions& options) {
       ->type_name("NAME")
       ->check(Policy())
       ->capture_default_str();
-  app.add_option("--retries", options.retries,
-                 "times a plan that is lost may be begun anew, where the task allows it")
-      ->type_name("N")
-      ->transform(Whole(0, 100))
-      ->capture_default_str();
-  app.add_option("--surprise", options.surprise,
-                 "a plan is lost where a patch of the picture differs more than this from what was "
-                 "imagined")
-      ->type_name("X")
-      ->check(Real(0, 1))
-      ->capture_default_str();
+  DefineRecovery(app, options.retries, options.surprise);
 }
 
 void DefineNoReset(CLI::App& app, bool& reset) {

@@ -6,6 +6,7 @@
 
 #include "cli/fwd.h"
 #include "cli/options/bus.h"
+#include "cli/options/promise.h"
 #include "cli/options/report.h"
 #include "cli/options/scene.h"
 
@@ -13,11 +14,9 @@ namespace prospect::cli {
 
 /// What may be asked of plans before anything is done; docs/trust.md says what each means.
 struct RefusalOptions {
-  std::optional<double> threshold;       ///< plans that score less are refused
-  std::optional<double> refuse_at_most;  ///< share of what can be done that may be refused
-  std::optional<double> fail_at_most;    ///< share of what is attempted that may fail
-  double delta = 0.1;                    ///< the latter holds with probability 1 - delta
-  double novelty = 0.01;                 ///< smallest p-value of a first picture; 0: any picture
+  std::optional<double> threshold;  ///< plans that score less are refused
+  PromiseOptions promise;
+  double novelty = 0.01;  ///< smallest p-value of a first picture; 0: any picture
 };
 
 /// Adds --refusal-threshold, --refuse-at-most, --fail-at-most, --delta and --novelty.
@@ -32,7 +31,7 @@ struct EpisodeOptions {
   SceneOptions scene;          ///< its size only
   std::string goal;            ///< as planner::ParseGoal reads it; empty: the task's own
   int workers = 0;             ///< planner workers; 0: what is up, or two
-  int samples = 30;            ///< rollouts a search
+  std::int64_t samples = 30;   ///< rollouts a search
   std::string rule = "paper";  ///< of planner/selection_rule.h
   int depth = 0;               ///< actions to look ahead; 0: what remains of the plan
   RefusalOptions refusal;
@@ -43,9 +42,9 @@ struct EpisodeOptions {
 
 /// How the plan is carried out.
 struct ActingOptions {
-  std::string policy = "search";  ///< or expert, collect, plan:A,B,...
-  int retries = 1;                ///< times a lost plan may be begun anew
-  double surprise = 0.3;          ///< it is lost where a patch differs more than this
+  std::string policy = "search";   ///< or expert, collect, plan:A,B,...
+  int retries = 1;                 ///< times a lost plan may be begun anew
+  std::optional<double> surprise;  ///< it is lost where a patch differs more; left out: 0.3
 };
 
 void DefineEpisode(CLI::App& app, EpisodeOptions& options);

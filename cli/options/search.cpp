@@ -12,6 +12,20 @@ void DefineSamples(CLI::App& app, std::int64_t& samples) {
       ->capture_default_str();
 }
 
+void DefineRecovery(CLI::App& app, int& retries, std::optional<double>& surprise) {
+  app.add_option("--retries", retries,
+                 "times a plan that is lost may be begun anew, where the task allows it")
+      ->type_name("N")
+      ->transform(Whole(0, 100))
+      ->capture_default_str();
+  app.add_option("--surprise", surprise,
+                 "a plan is lost where a patch of the picture differs more than this from what was "
+                 "imagined")
+      ->default_str("0.3")
+      ->type_name("X")
+      ->check(Real(0, 1));
+}
+
 void DefineSearch(CLI::App& app, SearchOptions& search) {
   DefineSamples(app, search.samples);
   app.add_option("--workers", search.workers,
@@ -29,17 +43,7 @@ void DefineSearch(CLI::App& app, SearchOptions& search) {
       ->default_str("0.02")
       ->type_name("X")
       ->check(Real(0, 1));
-  app.add_option("--retries", search.retries,
-                 "times a plan that is lost may be begun anew, where the task allows it")
-      ->type_name("N")
-      ->transform(Whole(0, 100))
-      ->capture_default_str();
-  app.add_option("--surprise", search.surprise,
-                 "a plan is lost where a patch of the picture differs more than this from what was "
-                 "imagined")
-      ->default_str("0.3")
-      ->type_name("X")
-      ->check(Real(0, 1));
+  DefineRecovery(app, search.retries, search.surprise);
 }
 
 }  // namespace prospect::cli

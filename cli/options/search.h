@@ -22,6 +22,9 @@ struct SearchOptions {
 /// Adds --samples, --workers, --depth, --rule, --v-failed, --retries and --surprise.
 void DefineSearch(CLI::App& app, SearchOptions& search);
 
+/// Adds --retries and --surprise alone.
+void DefineRecovery(CLI::App& app, int& retries, std::optional<double>& surprise);
+
 /// Adds --samples alone.
 void DefineSamples(CLI::App& app, std::int64_t& samples);
 

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "cli/options/shift.h"
+
 #include "cli/fwd.h"
 
 namespace prospect::cli {
@@ -9,8 +11,7 @@ namespace prospect::cli {
 /// What is chosen when a deployment is started, and stays so.
 struct StartOptions {
   std::string weights;  ///< file, its folder, or "scripted"; empty: the bundled ones
-  std::string factor;   ///< how the camera's pictures differ from those of trials; empty: not
-  int strength = 0;     ///< how far, 1 to 5
+  ShiftOptions shift;   ///< how the camera's pictures differ from those of trials
   bool open = false;    ///< no key
 };
 

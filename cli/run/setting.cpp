@@ -55,8 +55,8 @@ Words SceneArguments(const SceneOptions& scene, const StartOptions& start,
   }
   if (task == "stacking") add("--tower", scene.tower > 0 ? scene.tower : 2);
   if (!scene.scene_file.empty()) words.insert(words.end(), {"--scene-file", SceneFile(scene)});
-  if (!start.factor.empty()) words.insert(words.end(), {"--factor", start.factor});
-  add("--strength", start.strength);
+  if (!start.shift.factor.empty()) words.insert(words.end(), {"--factor", start.shift.factor});
+  add("--strength", start.shift.strength);
   return words;
 }
 

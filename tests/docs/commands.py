@@ -20,7 +20,7 @@ INLINE = re.compile(r"(?<!`)`\./prospect ([^`\n]+)`(?!`)")
 
 def words_of(line):
     lexer = shlex.shlex(line, posix=True, punctuation_chars=True)
-    lexer.wordchars += ",:*@%+"
+    lexer.wordchars += ",:*@%+$"
     return list(lexer)
 
 
@@ -37,7 +37,7 @@ def block_commands(text):
         line = text.count("\n", 0, found.start(2)) + 1
         for number, command in enumerate(found.group(2).replace("\\\n", "  ").split("\n")):
             # Within "$(...)", too, where quotes hide it.
-            command = command.replace('"$(', "$(").replace(')"', ")")
+            command = command.replace('"$(', " ( ").replace(')"', " ) ")
             if "./prospect" not in command:
                 continue
             try:
@@ -45,7 +45,8 @@ def block_commands(text):
             except ValueError:  # a string that goes on in the next line
                 continue
             for arguments in commands_in(words):
-                yield line + number, arguments
+                if not any("$" in word for word in arguments):  # a loop's variable
+                    yield line + number, arguments
 
 
 def inline_commands(text):

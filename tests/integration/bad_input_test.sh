@@ -82,7 +82,7 @@ expect 2 'objects wants a whole number from 4 to 7' prospect-evaluate run --task
 expect 2 'collection takes 0 to 999,999' prospect-data collect --task navigation --seed 1000000 --trials 1 --out x.h5
 expect 2 'seed' prospect-evaluate run --task navigation --weights "$good" --seed 5 --scenes 1
 expect 2 "unknown row 'best'; known: planner" prospect-evaluate run --task navigation --weights "$good" --rows best --scenes 1
-expect 2 "no selection rule 'best'; there are: paper" prospect-evaluate run --task navigation --weights "$good" --rule best --scenes 1
+expect 2 "--rule wants one of paper, .*not 'best'" prospect-evaluate run --task navigation --weights "$good" --rule best --scenes 1
 expect 2 "unknown policy 'best'; known: search" prospect-executive --policy best
 expect 2 'give action indices, as in plan:0,2,1' prospect-executive --policy plan:x
 expect 2 'wants a share from 0 to 1' prospect-worker --chaos drop=2

@@ -58,12 +58,12 @@ did_not_call() { ! grep -qE -- "$1" "$calls" 2>/dev/null || fail "a call of '$1'
 
 # A program is built when it is first asked for, alone, and used as it is from then on; before all others bin/prospect, which
 # knows what a command needs.
-asked 0 view --seed 3
+asked 0 view --seed 3 --out x.png
 called 'cmake --preset release -DPROSPECT_TESTS=OFF'
 called 'ninja prospect'
 called 'ninja prospect-world'
-says '^started prospect-world view --seed 3$'
-asked 0 view --seed 3
+says '^started prospect-world view --seed 3 --out x.png$'
+asked 0 view --seed 3 --out x.png
 did_not_call 'cmake|ninja'
 
 # When its sources are newer, and only then, bin/prospect is built again.
@@ -129,7 +129,7 @@ rm "$SAYS"
 asked 0 verify
 called 'ninja (prospect-verify|prospect-data|prospect-evaluate|prospect-train| )+'
 says '^started prospect-verify '
-asked 2 figures
+asked 2 figures --out x
 says 'this build has no figures: it did not find OpenCV'
 did_not_call 'ninja .*figures'
 

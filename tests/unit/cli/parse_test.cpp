@@ -9,15 +9,17 @@ namespace {
 
 // What is told of a command line, and the status that it ends with.
 template <typename Options>
-std::pair<int, std::string> Told(const char* command, std::vector<const char*> words,
+std::pair<int, std::string> Told(const char* command, std::vector<std::string> words,
                                  Options* options) {
-  words.insert(words.begin(), "program");
+  CLI::App app;
+  SetUp(app, command);
+  Define(app, *options);
   testing::internal::CaptureStderr();
-  const auto end = Parse(command, static_cast<int>(words.size()), words.data(), *options);
+  const auto end = ParseArguments(app, std::move(words), [&] { return Defect(*options); });
   return {end.value_or(0), testing::internal::GetCapturedStderr()};
 }
 
-std::pair<int, std::string> ToldOfOracle(std::vector<const char*> words) {
+std::pair<int, std::string> ToldOfOracle(std::vector<std::string> words) {
   OracleOptions options;
   return Told("oracle", std::move(words), &options);
 }
