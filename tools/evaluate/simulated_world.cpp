@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sensor_noise.h"
 #include "sim/plan_rules.h"
 #include "sim/rollout.h"
-#include "sim/sensor_noise.h"
 
 namespace prospect::tools {
 namespace {
@@ -59,7 +59,7 @@ agent::Glimpse SimulatedWorld::Look() {
   const double time = task_.progress().time;
   sim::Image image = task_.Observe();
   const auto frame = static_cast<std::int64_t>(std::llround(time / task_.spec().tick_seconds));
-  sim::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, image_noise_);
+  base::AddSensorNoise(image.rgb.data(), image.rgb.size(), seed_, frame, image_noise_);
   return {{image.width, image.height, std::move(image.rgb)}, frame, time};
 }
 
