@@ -2,6 +2,7 @@
 
 #include "agent/plan_context.h"
 #include "base/number_format.h"
+#include "base/text.h"
 #include "model/refusal/isotonic.h"
 
 namespace prospect::agent {
@@ -27,7 +28,7 @@ RefusalTerms TermsOf(const model::CalibrationSample& sample, const std::string& 
   std::vector<std::string> differences = model::Differences(sample, rule, parameters);
   if (goal) differences.emplace_back("a goal, where the calibration had the task's own");
   if (!differences.empty())
-    terms.caveat = "The calibration does not cover this search: " + Listed(differences) + ".";
+    terms.caveat = "The calibration does not cover this search: " + base::Joined(differences) + ".";
   return terms;
 }
 

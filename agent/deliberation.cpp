@@ -11,6 +11,7 @@
 #include "agent/what_if.h"
 #include "base/hash.h"
 #include "base/number_format.h"
+#include "base/seconds_since.h"
 #include "model/surprise.h"
 
 namespace prospect::agent {
@@ -102,7 +103,7 @@ NextStep Deliberation::Decide(const Glimpse& first, const Glimpse& present, Sear
     listener_.Tell(search->note);
   }
   search->kind = next.kind;
-  search->decision_seconds = PhaseClock::SecondsSince(since);
+  search->decision_seconds = base::SecondsSince(since);
   return next;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/number_format.h"
+#include "base/text.h"
 
 namespace prospect::agent {
 namespace {
@@ -22,10 +23,9 @@ std::string StepLine(std::size_t number, const ExplainedStep& step) {
     std::snprintf(line, sizeof line, "%4zu  %-24s %7.3f %7.3f %7.3f %7.3f\n", number,
                   step.name.c_str(), step.score, step.value, step.done, step.prior);
   } else {
-    char prior[16] = "-";
-    if (step.prior >= 0) std::snprintf(prior, sizeof prior, "%.3f", step.prior);
+    const std::string prior = step.prior >= 0 ? base::Fixed(step.prior, 3) : "-";
     std::snprintf(line, sizeof line, "%4zu  %-24s %7s %7s %7s %7s\n", number, step.name.c_str(),
-                  "-", "-", "-", prior);
+                  "-", "-", "-", prior.c_str());
   }
   return line;
 }
@@ -39,7 +39,7 @@ std::string Table(const ExplainedPlan& plan) {
 std::string Chain(const ExplainedPlan& plan) {
   std::vector<std::string> names;
   for (const auto& step : plan.steps) names.push_back(step.name);
-  return Listed(names);
+  return base::Joined(names);
 }
 
 std::string WhatIfText(const WhatIf& what_if) {

@@ -1,6 +1,7 @@
 #include "agent/goal.h"
 
 #include "agent/plan_context.h"
+#include "base/text.h"
 
 namespace prospect::agent {
 
@@ -27,8 +28,7 @@ std::string EpisodeGoal::Defect(const TaskView& task,
   for (const auto& atom : atoms_) {
     for (const auto& name : atom.arguments) {
       if (name != "*" && !present.count(name))
-        return "there is no " + name +
-               " in this scene; there are: " + Listed({present.begin(), present.end()});
+        return "there is no " + name + " in this scene; there are: " + base::Joined(present);
     }
   }
   return "";

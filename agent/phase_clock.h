@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "base/seconds_since.h"
+
 namespace prospect::agent {
 
 /// Adds the wall clock's seconds of its life, or until Stop(), to a sum. The sum must outlive it.
@@ -15,14 +17,11 @@ class PhaseClock {
   PhaseClock& operator=(const PhaseClock&) = delete;
 
   void Stop() {
-    if (sum_ != nullptr) *sum_ += SecondsSince(since_);
+    if (sum_ != nullptr) *sum_ += base::SecondsSince(since_);
     sum_ = nullptr;
   }
 
   static Moment Now() { return std::chrono::steady_clock::now(); }
-  static double SecondsSince(Moment since) {
-    return std::chrono::duration<double>(Now() - since).count();
-  }
 
  private:
   double* sum_;

@@ -23,12 +23,6 @@ std::vector<std::string> NamesOf(const planner::Path& path, const PlanContext& c
   return NamesOf(std::vector<int>(path.begin(), path.end()), context);
 }
 
-std::string Listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 std::size_t SharedSteps(const planner::Path& a, const planner::Path& b) {
   const std::size_t most = std::min(a.size(), b.size());
   return static_cast<std::size_t>(

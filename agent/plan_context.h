@@ -24,8 +24,6 @@ std::string NameOf(int action, const PlanContext& context);
 std::string StepText(std::size_t number, int action, const PlanContext& context);
 std::vector<std::string> NamesOf(const std::vector<int>& actions, const PlanContext& context);
 std::vector<std::string> NamesOf(const planner::Path& path, const PlanContext& context);
-/// "a, b, c".
-std::string Listed(const std::vector<std::string>& items);
 
 /// Leading steps that both have.
 std::size_t SharedSteps(const planner::Path& a, const planner::Path& b);

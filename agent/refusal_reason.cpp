@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/number_format.h"
+#include "base/text.h"
 #include "planner/plan_reader.h"
 
 namespace prospect::agent {
@@ -44,7 +45,7 @@ Miss MissOf(const Future& future, const PlanContext& context) {
 std::string NearestMiss(const Future& future, const PlanContext& context) {
   const std::string where =
       future.rejection == Rejection::kLowScore
-          ? Listed(NamesOf(future.path, context))
+          ? base::Joined(NamesOf(future.path, context))
           : StepText(future.steps.size(), future.steps.back().action, context);
   const Miss miss = MissOf(future, context);
   const int digits = miss.limit < 0.1 ? kDigitsOfP : kDigits;

@@ -5,6 +5,7 @@
 
 #include "agent/why_lost.h"
 #include "base/number_format.h"
+#include "base/text.h"
 
 namespace prospect::agent {
 namespace {
@@ -55,7 +56,7 @@ std::string WhyForbidden(const Path& path, std::size_t index, const PlanContext&
     text += "it was taken before; ";
   const auto allowed = NamesOf(context.rules.AllowedActions(context.executed, before), context);
   return text + (allowed.empty() ? "nothing may follow there."
-                                 : "allowed there: " + Listed(allowed) + ".");
+                                 : "allowed there: " + base::Joined(allowed) + ".");
 }
 
 // What the search gives futures up for, in the order in which it looks at them.
@@ -108,7 +109,7 @@ std::string Standing(const Future& named, const Plan& plan, const PlanContext& c
 
 planner::Path NamedPlan(const std::string& text, const std::vector<std::string>& names) {
   Path path;
-  const std::string known = "; actions: " + Listed(names);
+  const std::string known = "; actions: " + base::Joined(names);
   for (const std::string& item : Items(text)) {
     const auto found = std::find(names.begin(), names.end(), item);
     if (item.empty())

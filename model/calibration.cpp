@@ -125,7 +125,7 @@ Calibration CalibrationOf(const WeightsFile& file, const std::string& path) {
   if (!made_for.empty() && made_for != base::HexText(TensorsHash(file))) {
     throw WeightsError(path +
                        ": its calibration was made for other weights, so no promise of it holds: "
-                       "make one with ./prospect evaluate --calibrate");
+                       "make one with ./prospect evaluate calibrate");
   }
   return calibration;
 }

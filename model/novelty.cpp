@@ -206,7 +206,7 @@ void Put(const char* kind, const Spread& spread, std::map<std::string, torch::Te
 [[noreturn]] void RefuseGauge(const std::string& path) {
   throw WeightsError(path +
                      ": what it holds of known pictures is damaged; "
-                     "./prospect evaluate --calibrate-novelty makes it anew");
+                     "./prospect evaluate novelty makes it anew");
 }
 
 torch::Tensor Take(const WeightsFile& file, const std::string& path, const char* kind,

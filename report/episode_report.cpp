@@ -182,9 +182,9 @@ std::string PlanTable(const EpisodeRecord& record) {
     rollouts += search.rollouts, evaluations += search.evaluations;
   char line[200];
   const auto seconds = record.phase_seconds.find("search");
-  std::snprintf(line, sizeof line, "%zu searches: %lld rollouts, %lld imagined states, %.2f s.\n",
-                record.searches.size(), static_cast<long long>(rollouts),
-                static_cast<long long>(evaluations),
+  std::snprintf(line, sizeof line, "%zu %s: %lld rollouts, %lld imagined states, %.2f s.\n",
+                record.searches.size(), record.searches.size() == 1 ? "search" : "searches",
+                static_cast<long long>(rollouts), static_cast<long long>(evaluations),
                 seconds == record.phase_seconds.end() ? 0.0 : seconds->second);
   return text + line;
 }

@@ -4,6 +4,7 @@
 
 #include "agent/explanation_text.h"
 #include "base/number_format.h"
+#include "base/text.h"
 #include "report/difference_map.h"
 #include "report/html.h"
 #include "report/png.h"
@@ -119,12 +120,6 @@ std::string Steps(const ExplainedPlan& plan) {
   return Element("ol", "class=\"steps\"", "\n" + items) + "\n";
 }
 
-std::string Joined(const std::vector<std::string>& items) {
-  std::string text;
-  for (const auto& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
-
 std::string Verdict(const Explanation& explanation) {
   std::string words =
       Paragraph("Prospect: " + explanation.task + ", " + SceneWords(explanation.seed),
@@ -133,7 +128,8 @@ std::string Verdict(const Explanation& explanation) {
               Escaped(Headline(explanation))) +
       "\n";
   words += Paragraph(ScoreSentence(explanation));
-  if (!explanation.goal.empty()) words += Paragraph("Goal: " + Joined(explanation.goal) + ".");
+  if (!explanation.goal.empty())
+    words += Paragraph("Goal: " + base::Joined(explanation.goal) + ".");
   if (!explanation.not_covered.empty()) words += Paragraph(explanation.not_covered);
   for (const auto& sentence : ConfidenceSentences(explanation.confidence, explanation.terms))
     words += Paragraph(sentence);
@@ -229,11 +225,11 @@ std::string Others(const Explanation& explanation) {
   for (const auto& plan : explanation.alternatives) text += Alternative(plan, ++number);
   if (!explanation.ruled_out.empty()) {
     text += Paragraph("Ruled out from the start by p, without imagining them: " +
-                      Joined(explanation.ruled_out) + ".");
+                      base::Joined(explanation.ruled_out) + ".");
   }
   if (!explanation.untried.empty()) {
     text += Paragraph("Of these first actions no future was followed to its end: " +
-                      Joined(explanation.untried) + ".");
+                      base::Joined(explanation.untried) + ".");
   }
   return text;
 }

@@ -1,9 +1,6 @@
 # Builds what a command needs, when it is first asked for. The release preset builds its tests only once a test run has asked
 # for them. With PROSPECT_BUILD=FOLDER the programs of that build folder are used as they are.
 
-# What `up`, `demo`, `run` and `explain` start.
-DEPLOYED=(prospect-supervisor prospect-simulator prospect-model-server prospect-worker prospect-executive prospect-bus)
-
 # build PRESET TARGET...: brings these up to date. With TESTS=1 the tests are among what can be built.
 build() {
   local preset=$1 log="$ROOT/build/$1.log"

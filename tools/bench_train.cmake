@@ -1,7 +1,6 @@
 if(NOT TARGET prospect_training OR NOT TARGET prospect_sim)
   return()
 endif()
-find_package(CLI11 REQUIRED)
 add_library(prospect_train_bench_lib STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/bench/matrix_peak.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/bench/multiply_adds.cpp
@@ -10,6 +9,3 @@ add_library(prospect_train_bench_lib STATIC
 prospect_target(prospect_train_bench_lib)
 target_link_libraries(prospect_train_bench_lib PUBLIC prospect_training prospect_sim)
 prospect_precompiled(prospect_train_bench_lib prospect_training)
-add_executable(prospect-train-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench_train.cpp)
-prospect_target(prospect-train-bench)
-target_link_libraries(prospect-train-bench PRIVATE prospect_train_bench_lib CLI11::CLI11)

@@ -1,13 +1,7 @@
 if(NOT TARGET prospect_sim OR NOT TARGET prospect_dataset)
   return()
 endif()
-find_package(CLI11 REQUIRED)
-find_package(nlohmann_json 3 REQUIRED)
 set(ceiling ${CMAKE_CURRENT_SOURCE_DIR}/ceiling)
 add_library(prospect_ceiling_lib STATIC ${ceiling}/foretold.cpp ${ceiling}/replay.cpp ${ceiling}/spread.cpp)
 prospect_target(prospect_ceiling_lib)
 target_link_libraries(prospect_ceiling_lib PUBLIC prospect_sim)
-add_executable(prospect-ceiling ${ceiling}/main.cpp)
-prospect_target(prospect-ceiling)
-target_link_libraries(prospect-ceiling PRIVATE prospect_ceiling_lib prospect_collect_lib
-  CLI11::CLI11 nlohmann_json::nlohmann_json)

@@ -24,9 +24,3 @@ add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/r
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_local_episode prospect_training
   prospect_tools_common prospect_torch_main prospect_film)
-add_executable(prospect-evaluate ${evaluate}/main.cpp)
-prospect_target(prospect-evaluate)
-target_link_libraries(prospect-evaluate PRIVATE prospect_evaluate_lib prospect_engine)
-add_executable(prospect-evaluate-plans ${evaluate}/plans_main.cpp)
-prospect_target(prospect-evaluate-plans)
-target_link_libraries(prospect-evaluate-plans PRIVATE prospect_evaluate_lib prospect_engine)

@@ -1,7 +1,6 @@
 if(NOT TARGET prospect_training)
   return()
 endif()
-find_package(CLI11 REQUIRED)
 add_library(prospect_tables STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/tables/bootstrap.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/tables/examples.cpp
@@ -10,6 +9,3 @@ add_library(prospect_tables STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/tables/scorer.cpp)
 prospect_target(prospect_tables)
 target_link_libraries(prospect_tables PUBLIC prospect_training prospect_tools_common)
-add_executable(prospect-tables ${CMAKE_CURRENT_SOURCE_DIR}/tables.cpp)
-prospect_target(prospect-tables)
-target_link_libraries(prospect-tables PRIVATE prospect_tables prospect_torch_main CLI11::CLI11)

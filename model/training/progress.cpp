@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/quiet.h"
+
 namespace prospect::model {
 
 ProgressLine::ProgressLine(std::string what, std::int64_t done_before)
     : what_(std::move(what)), done_before_(done_before) {}
 
 void ProgressLine::Show(std::int64_t done, std::int64_t total, const std::string& note) {
+  if (base::Quiet()) return;
   const Clock::time_point now = Clock::now();
   if (done < total && now - last_ < std::chrono::seconds(2)) return;
   last_ = now;

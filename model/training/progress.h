@@ -6,7 +6,8 @@
 
 namespace prospect::model {
 
-/// A line on stderr, at most one every two seconds: what, how far, how long still. Not thread-safe.
+/// A line on stderr, at most one every two seconds: what, how far, how long still. Nothing where
+/// the process is quiet (base/quiet.h). Not thread-safe.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what, std::int64_t done_before = 0);

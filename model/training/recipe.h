@@ -7,13 +7,9 @@
 
 namespace prospect::model {
 
-/// One thing in which a task's configuration goes beyond the paper, and which can be left out.
-struct RecipeStep {
-  std::string name;  ///< as --without takes it
-  std::string what;  ///< one line
-};
-
-const std::vector<RecipeStep>& RecipeSteps();
+/// The names, as --without takes them, of what goes beyond the paper in a task's configuration and
+/// can be left out; `prospect train --help` says what each is (cli/commands/train.cpp).
+const std::vector<std::string>& RecipeSteps();
 
 /// Leaves one step out; T's updates stay as many as they were. No change where the configuration
 /// has not got it. Throws std::invalid_argument that lists the known names.

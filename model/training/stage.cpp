@@ -14,6 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/hash.h"
 #include "base/line_file.h"
+#include "base/quiet.h"
 #include "base/seconds_since.h"
 #include "model/networks/blocks.h"
 #include "model/networks/precision.h"
@@ -340,7 +341,8 @@ StageOutcome LoadFinished(Stage* stage, const StageRun& run) {
 StageOutcome RunStage(Stage* stage, const StageRun& run) {
   fs::create_directories(run.folder);
   if (const StageOutcome before = LoadFinished(stage, run); before.finished) {
-    std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
+    if (!base::Quiet())
+      std::fprintf(stderr, "%-18s already trained from these inputs\n", stage->name().c_str());
     return before;
   }
   const std::unique_ptr<torch::optim::Optimizer> optimizer = MakeOptimizer(*stage);

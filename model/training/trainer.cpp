@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/hash.h"
+#include "base/quiet.h"
 #include "model/training/export.h"
 #include "model/training/heads_stage.h"
 #include "model/training/picture_stages.h"
@@ -120,7 +121,7 @@ void RequireSuccess(const TrialFile& file, const SampleSet& samples) {
 
 SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
                          const TrainOptions& options) {
-  std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
+  if (!base::Quiet()) std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
   SampleSet samples = ReadSamples(file, config.mids_per_segment);
   if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");
   if (samples.task != options.task) {

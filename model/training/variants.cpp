@@ -32,20 +32,15 @@ void Wasserstein(TrainConfig* c) {
 
 const std::vector<Entry>& Entries() {
   static const std::vector<Entry> entries = {
-      {{"naive", "Naive", "one step, L1"},
-       [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 1; }},
-      {{"l1", "L1", "two linked steps, L1"},
-       [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 2; }},
-      {{"l1+0.01c", "L1+0.01C", "and C's cross-entropy on the second picture, times 0.01"},
-       [](TrainConfig* c) { WithClassifier(0.01, c); }},
-      {{"l1+0.001c", "L1+0.001C", "times 0.001"}, [](TrainConfig* c) { WithClassifier(0.001, c); }},
-      {{"no-skips", "No Skips", "L1+0.001C without T's skip connection"},
+      {{"naive", "Naive"}, [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 1; }},
+      {{"l1", "L1"}, [](TrainConfig* c) { c->lambda = 0, c->linked_steps = 2; }},
+      {{"l1+0.01c", "L1+0.01C"}, [](TrainConfig* c) { WithClassifier(0.01, c); }},
+      {{"l1+0.001c", "L1+0.001C"}, [](TrainConfig* c) { WithClassifier(0.001, c); }},
+      {{"no-skips", "No Skips"},
        [](TrainConfig* c) { WithClassifier(0.001, c), c->network.skip = false; }},
-      {{"cgan", "cGAN", "two linked steps, L1 and the judge of pix2pix"},
-       [](TrainConfig* c) { c->linked_steps = 2, Pix2Pix(c); }},
-      {{"wgan", "WGAN", "two linked steps, L1 and a Wasserstein judge, by RMSProp"},
-       [](TrainConfig* c) { c->linked_steps = 2, Wasserstein(c); }},
-      {{"u-net", "U-net", "L1+0.001C with strided convolutions for the soft argmax"},
+      {{"cgan", "cGAN"}, [](TrainConfig* c) { c->linked_steps = 2, Pix2Pix(c); }},
+      {{"wgan", "WGAN"}, [](TrainConfig* c) { c->linked_steps = 2, Wasserstein(c); }},
+      {{"u-net", "U-net"},
        [](TrainConfig* c) { WithClassifier(0.001, c), c->network.bottleneck = "strided"; }},
   };
   return entries;

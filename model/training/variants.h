@@ -7,11 +7,11 @@
 
 namespace prospect::model {
 
-/// One row of the paper's comparison (Tables I and II) and of its text.
+/// One row of the paper's comparison (Tables I and II) and of its text; `prospect train --help`
+/// says what each is (cli/commands/train.cpp).
 struct Variant {
   std::string name;      ///< as --variant takes it
   std::string in_table;  ///< as the paper's tables write it
-  std::string what;      ///< one line
 };
 
 /// In the order of the paper's tables; what only its text names comes last.

@@ -51,7 +51,8 @@ void AddCosts(const std::vector<SearchRun>& runs, json* row) {
 
 }  // namespace
 
-json RowOf(int workers, const std::vector<SearchRun>& runs, const SearchBenchOptions& options) {
+json RowOf(int workers, const std::vector<SearchRun>& runs,
+           const cli::BenchSearchOptions& options) {
   const double rollouts = Sum(runs, [](auto& r) { return r.rollouts; });
   const double evaluations = Sum(runs, [](auto& r) { return r.evaluations; });
   const double seconds = Sum(runs, [](auto& r) { return r.seconds; });

@@ -18,7 +18,7 @@ namespace prospect::services {
 /// overhead_ms_p50 (round trip less a batch's mean computing),
 /// overshoot (rollouts beyond the budget, mean).
 nlohmann::json RowOf(int workers, const std::vector<SearchRun>& runs,
-                     const SearchBenchOptions& options);
+                     const cli::BenchSearchOptions& options);
 
 /// The row's growth against the first row, paired by seed: mean ratio of rollouts/s and its 95 %
 /// interval, as keys speedup, speedup_low, speedup_high.

@@ -74,7 +74,7 @@ double ComputeSeconds(const std::vector<model_info_t>& infos) {
 
 }  // namespace
 
-SearchBench::SearchBench(Conversation& talk, const SearchBenchOptions& options,
+SearchBench::SearchBench(Conversation& talk, const cli::BenchSearchOptions& options,
                          const std::string& logs)
     : talk_(talk), options_(options), crew_(talk, logs), traffic_(talk.bus()), session_(talk) {
   std::vector<std::string> arguments{"--weights",   options_.weights,
@@ -83,8 +83,6 @@ SearchBench::SearchBench(Conversation& talk, const SearchBenchOptions& options,
   if (options_.fixed_cost != "none") {
     arguments.insert(arguments.end(), {"--fixed-cost", options_.fixed_cost});
   }
-  arguments.insert(arguments.end(), options_.server_arguments.begin(),
-                   options_.server_arguments.end());
   crew_.StartServers(options_.servers, arguments);
   PrepareTask();
 }

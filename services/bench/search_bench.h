@@ -4,30 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/bench.h"
 #include "services/bench/crew.h"
 #include "services/bench/traffic.h"
 #include "services/executive/search_session.h"
 
 namespace prospect::services {
-
-struct SearchBenchOptions {
-  std::vector<int> workers = {1, 2, 4, 8, 16};
-  int servers = 1;
-  std::string weights = "scripted-tree";
-  std::string fixed_cost = "4,0.02";  ///< as prospect-model-server's; "none": as long as it takes
-  int max_batch = 16;
-  int threads = 2;
-  std::vector<std::string> server_arguments;  ///< more of them
-  std::string rule = "paper";
-  std::int64_t samples = 800;  ///< rollouts of all workers, a search
-  std::vector<int> leaves = {
-      1};          ///< evaluations a worker keeps in flight: one for all counts, or one each
-  int seeds = 10;  ///< searches a worker count, each on a tree of its own
-  std::int64_t first_seed = 0;
-  int plan_length = 6;
-  bool sharing = true;  ///< off: each worker searches a tree of its own
-  bool prune = true;    ///< off: f, V and p cut nothing off, so that any network's tree is full
-};
 
 /// One search as measured.
 struct SearchRun {
@@ -52,7 +34,7 @@ struct SearchRun {
 /// over the same seeds. One thread; the conversation must outlive it.
 class SearchBench {
  public:
-  SearchBench(Conversation& talk, const SearchBenchOptions& options, const std::string& logs);
+  SearchBench(Conversation& talk, const cli::BenchSearchOptions& options, const std::string& logs);
 
   /// The searches of one worker count, which must not fall from call to call, with so many
   /// evaluations in flight a worker.
@@ -67,7 +49,7 @@ class SearchBench {
   std::vector<model_info_t> FreshInfos(std::int64_t since_utime);
 
   Conversation& talk_;
-  SearchBenchOptions options_;
+  cli::BenchSearchOptions options_;
   Crew crew_;
   Traffic traffic_;
   SearchSession session_;

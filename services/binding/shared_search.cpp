@@ -1,7 +1,6 @@
 #include "services/binding/shared_search.h"
 
-#include <cstdio>
-
+#include "base/number_format.h"
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/statistics_messages.h"
@@ -51,9 +50,7 @@ void SharedSearch::Hear(const search_statistics_t& statistics, std::int64_t now_
 
 std::string Summary(const planner::Plan& plan, const task_t& task) {
   if (!plan.ok()) return std::string(ToString(plan.status)) + ": " + plan.reason;
-  char score[32];
-  std::snprintf(score, sizeof score, "%.6f", plan.best.score);
-  return "plan " + NamesOf(task, plan.best.path) + "; score " + score;
+  return "plan " + NamesOf(task, plan.best.path) + "; score " + base::Fixed(plan.best.score, 6);
 }
 
 }  // namespace prospect::services

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "cli/options/bus.h"
 #include "services/common/host_filter.h"
 
 namespace prospect::services {
@@ -14,7 +15,7 @@ constexpr long kDefaultBuffer = 4194304;
 std::string FirstChoice(const std::string& option) {
   if (!option.empty()) return option;
   const char* environment = std::getenv("LCM_DEFAULT_URL");
-  return environment && *environment ? environment : kDefaultBusUrl;
+  return environment && *environment ? environment : cli::kDefaultBusUrl;
 }
 
 long RequestedBuffer(const std::string& url) {

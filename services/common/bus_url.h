@@ -4,12 +4,8 @@
 
 namespace prospect::services {
 
-/// Loopback only (ttl 0), with a receive buffer that survives bursts: with the system's default 20
-/// back-to-back pictures are already lost.
-inline constexpr char kDefaultBusUrl[] = "udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304";
-
 /// The bus to use: `option` (--bus) if not empty, else the environment's LCM_DEFAULT_URL if not
-/// empty, else kDefaultBusUrl. A udpm URL that names no recv_buf_size gets the default's, because
+/// empty, else cli::kDefaultBusUrl. A udpm URL that names no recv_buf_size gets the default's, because
 /// LCM's own loses pictures.
 std::string ResolveBusUrl(const std::string& option);
 

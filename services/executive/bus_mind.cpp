@@ -1,4 +1,5 @@
 #include "services/executive/bus_mind.h"
+#include "base/hash.h"
 
 #include "base/hash.h"
 #include "services/binding/search_messages.h"

@@ -3,9 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "base/hash.h"
+#include "base/number_format.h"
 #include "services/common/ids.h"
 
 namespace prospect::services {
@@ -56,11 +56,7 @@ bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
          (options.legs == 0 || view.task()->plan_length == options.legs);
 }
 
-std::string Seconds(int milliseconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g s", milliseconds / 1000.0);
-  return text;
-}
+std::string Seconds(int milliseconds) { return base::Number("%g s", milliseconds / 1000.0); }
 
 // Why no picture counts, and what to do.
 std::string CameraAdvice(Conversation& talk) {
@@ -181,7 +177,7 @@ const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model
   throw ExitError(kExitWeights,
                   "weights " + base::HexText(model.weights_hash) +
                       " carry no calibration sample, so nothing can be promised: make one with "
-                      "./prospect evaluate --calibrate");
+                      "./prospect evaluate calibrate");
 }
 
 observation_t Look(Conversation& talk, std::int64_t frame) {

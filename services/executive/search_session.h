@@ -24,7 +24,7 @@ struct SearchQuestion {
       1;  ///< rollouts of all workers together; root.samples is what each worker stops at
 };
 
-/// What a search came to; its table compares with what prospect-replay bus says.
+/// What a search came to; its table compares with what prospect rebuild bus says.
 struct SearchAnswer : agent::SearchAnswer {
   double searching_seconds = 0;  ///< from the first evaluation heard to the budget's end
 };

@@ -12,6 +12,7 @@
 #include "services/common/health_monitor.h"
 #include "services/common/signals.h"
 #include "services/model/engine_choice.h"
+#include "services/model/engine_loop.h"
 #include "services/model/model_server.h"
 
 namespace {
@@ -25,10 +26,11 @@ struct Options {
   EngineChoice engine;
   int cache_mb = 64;
   bool check = false;
+  double time_batches = 0;  // 0: it is not timed
 };
 
 void AddOptions(CLI::App& app, Options& options) {
-  AddCommonOptions(app, options.common);
+  cli::DefineProcess(app, options.common);
   AddInstanceFileOption(app, options.common);
   app.add_option("--weights", options.engine.weights,
                  "safetensors file; without networks: scripted[:N], scripted-tree, "
@@ -53,6 +55,10 @@ void AddOptions(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 65536))
       ->capture_default_str();
   app.add_flag("--check", options.check, "load the weights, say what they are, and end");
+  app.add_option("--time-batches", options.time_batches,
+                 "time the engine alone with batches of so many rows on average, print evaluations "
+                 "a second, and end")
+      ->check(CLI::Range(1.0, 256.0));
   app.add_option("--queue", options.server.queue_paths, "paths that may wait before BUSY")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -75,6 +81,10 @@ int Run(int argc, char** argv) {
     const auto& info = engine->info();
     std::printf("%s: %s, %d actions, pictures of %dx%d\n", options.engine.weights.c_str(),
                 info.task.c_str(), info.num_actions, info.image_width, info.image_height);
+    return kExitSuccess;
+  }
+  if (options.time_batches > 0) {
+    std::printf("%.6g\n", EngineLoopRate(*engine, options.time_batches));
     return kExitSuccess;
   }
   options.server.novelty = LoadNovelty(options.engine);

@@ -16,7 +16,7 @@ namespace {
 using planner::Path;
 using Segment = GestureWatch::Segment;
 
-ExecutiveOptions ServicesOnly(const PredictOptions& options) {
+ExecutiveOptions ServicesOnly(const cli::PredictOptions& options) {
   ExecutiveOptions wanted;
   wanted.workers = 0;  // nothing is searched
   wanted.services_timeout_ms = options.services_timeout_ms;
@@ -64,7 +64,7 @@ std::vector<Path> NamedPaths(const task_t& task, const std::string& names) {
 
 class Prediction {
  public:
-  Prediction(Conversation& talk, const PredictOptions& options)
+  Prediction(Conversation& talk, const cli::PredictOptions& options)
       : talk_(talk), options_(options), inbox_(talk), watch_(talk) {}
 
   report::FuturesSheet Run() {
@@ -81,7 +81,7 @@ class Prediction {
       throw ExitError(kExitServiceLost, "no predicted picture came; see the model server's log");
     }
     const std::map<Path, agent::Picture> truths =
-        options_.truth_seconds > 0 ? AwaitTruth() : std::map<Path, agent::Picture>();
+        options_.truth > 0 ? AwaitTruth() : std::map<Path, agent::Picture>();
     return SheetOf(pictures, truths);
   }
 
@@ -181,7 +181,7 @@ class Prediction {
     std::map<Path, agent::Picture> truths;
     if (!now_) return truths;
     const auto known = [this] { return Ending(now_->number + 1) || watch_.over(); };
-    talk_.Until(known, static_cast<std::int64_t>(1000 * options_.truth_seconds));
+    talk_.Until(known, static_cast<std::int64_t>(1000 * options_.truth));
     Path path;
     for (int k = 0; k < 2; ++k) {
       const auto segment = watch_.Find(now_->number + k);
@@ -231,7 +231,7 @@ class Prediction {
   static constexpr std::int64_t kLabelMs = 1500;
 
   Conversation& talk_;
-  const PredictOptions& options_;
+  const cli::PredictOptions& options_;
   PredictionInbox inbox_;
   GestureWatch watch_;
   std::optional<observation_t> first_;
@@ -243,7 +243,7 @@ class Prediction {
 
 }  // namespace
 
-report::FuturesSheet Predict(Conversation& talk, const PredictOptions& options) {
+report::FuturesSheet Predict(Conversation& talk, const cli::PredictOptions& options) {
   return Prediction(talk, options).Run();
 }
 

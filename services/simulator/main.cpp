@@ -70,7 +70,7 @@ int Run(int argc, char** argv) {
       "Simulator: a robot in its world; publishes what its camera sees and carries actions out");
   CommonOptions common;
   SimulatorOptions options;
-  AddCommonOptions(app, common);
+  cli::DefineProcess(app, common);
   AddInstanceFileOption(app, common);
   AddOptions(app, options);
   ShiftChoice shift;

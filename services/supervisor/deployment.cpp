@@ -8,9 +8,12 @@ namespace {
 // The executive has the seeds as they are.
 constexpr int kModelSeed = 1, kSimulatorSeed = 2, kWorkerSeed = 2;
 
-std::vector<std::string> Command(const DeploymentSpec& deployment, const std::string& program,
-                                 int seed_steps) {
-  std::vector<std::string> command{deployment.programs + "/" + program, "--bus", deployment.bus};
+// `program`: its name, and what comes first of its arguments.
+std::vector<std::string> Command(const DeploymentSpec& deployment,
+                                 const std::vector<std::string>& program, int seed_steps) {
+  std::vector<std::string> command = program;
+  command[0].insert(0, deployment.programs + "/");
+  command.insert(command.end(), {"--bus", deployment.bus});
   if (!deployment.chaos.empty()) {
     command.insert(command.end(), {"--chaos", MoveSeeds(deployment.chaos, seed_steps)});
   }
@@ -32,13 +35,15 @@ std::string MoveSeeds(const std::string& chaos, int steps) {
 }
 
 ServiceSpec ModelSpec(const DeploymentSpec& deployment) {
-  ServiceSpec spec{"model", Command(deployment, "prospect-model-server", kModelSeed)};
+  ServiceSpec spec{"model", Command(deployment, {"prospect-model-server"}, kModelSeed)};
   spec.command.insert(spec.command.end(), {"--weights", deployment.weights});
   return spec;
 }
 
 ServiceSpec SimulatorSpec(const DeploymentSpec& deployment) {
-  const std::string program = deployment.player ? "prospect-player" : "prospect-simulator";
+  using Words = std::vector<std::string>;
+  const Words program =
+      deployment.player ? Words{"prospect-video", "play"} : Words{"prospect-simulator"};
   ServiceSpec spec{"simulator", Command(deployment, program, kSimulatorSeed)};
   spec.command.insert(spec.command.end(), {"--task", deployment.task});
   spec.command.insert(spec.command.end(), deployment.scene.begin(), deployment.scene.end());
@@ -47,7 +52,7 @@ ServiceSpec SimulatorSpec(const DeploymentSpec& deployment) {
 
 ServiceSpec WorkerSpec(const DeploymentSpec& deployment, int number) {
   return {"worker-" + std::to_string(number),
-          Command(deployment, "prospect-worker", kWorkerSeed + number)};
+          Command(deployment, {"prospect-worker"}, kWorkerSeed + number)};
 }
 
 }  // namespace prospect::services

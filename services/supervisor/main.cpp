@@ -43,15 +43,16 @@ struct Options {
 };
 
 void AddOptions(CLI::App& app, Options& options) {
-  AddCommonOptions(app, options.common);
+  cli::DefineProcess(app, options.common);
   app.add_option("--task", options.deployment.task, "world to simulate")->required();
   app.add_option("--weights", options.deployment.weights, "of the model server")->required();
   app.add_option("--workers", options.workers, "planner workers")
       ->check(CLI::Range(0, kMostWorkers))
       ->capture_default_str();
   app.add_flag("--no-simulator", options.no_simulator, "a robot is in the simulator's place");
-  app.add_flag("--player", options.deployment.player,
-               "a video is in the simulator's place: prospect-player, with what comes after --");
+  app.add_flag(
+      "--player", options.deployment.player,
+      "a video is in the simulator's place: prospect-video play, with what comes after --");
   app.add_option("--state", options.state, "folder for services.json and key; empty: the bus's");
   app.add_option("--logs", options.logs, "folder for a log a service; empty: STATE/logs");
   app.add_flag("--open", options.open, "no key: whoever can send on the bus is obeyed");

@@ -15,7 +15,7 @@
 namespace prospect::services {
 
 /// Writes what a worker's searches hear and choose, in order, to an LCM log (channel JOURNAL, type
-/// journal_entry_t), so that prospect-replay can repeat every step. Written out at each search's
+/// journal_entry_t), so that prospect rebuild journal can repeat every step. Written out at each search's
 /// end and at the worker's. One thread.
 class Journal {
  public:

@@ -31,7 +31,7 @@ int Run(int argc, char** argv) {
       "Planner worker: searches imagined futures together with all other workers on the bus");
   CommonOptions common;
   WorkerOptions options;
-  AddCommonOptions(app, common);
+  cli::DefineProcess(app, common);
   AddInstanceFileOption(app, common);
   app.add_option("--index", options.index,
                  "breaks ties differently in each worker; -1: drawn at random")
@@ -47,7 +47,7 @@ int Run(int argc, char** argv) {
       ->check(CLI::Range(256, 60000))
       ->capture_default_str();
   app.add_option("--journal", options.journal,
-                 "write all that is heard and chosen to this file, for prospect-replay journal");
+                 "write all that is heard and chosen to this file, for prospect rebuild journal");
   int niceness = 10;
   app.add_option("--nice", niceness,
                  "how far to yield the processor to the model server, as nice(1)")

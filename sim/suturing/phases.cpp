@@ -76,7 +76,10 @@ class Maker {
     if (s_.world.holder() != hand) return *this;
     const bool bad = random_.Uniform() < p_.bad_bite;
     const double size = bad ? p_.bad_bite_size : p_.bite_noise * style_.noise;
-    const Vector3d off(size * random_.BoundedNormal(), size * random_.BoundedNormal(), 0);
+    // One draw a statement: compilers differ in which argument of a call they evaluate first.
+    const double y = size * random_.BoundedNormal();
+    const double x = size * random_.BoundedNormal();
+    const Vector3d off(x, y, 0);
     GoTo(hand, Translation3d(off) * needle * InHand(hand).inverse());
     return *this;
   }

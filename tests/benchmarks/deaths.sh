@@ -3,5 +3,5 @@
 #   tests/benchmarks/deaths.sh [REPEATS] [BUILD_FOLDER]      (default 5, build/release; 40 s a repeat)
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
-bin=$(cd "${2:-$root/build/release}" && pwd)/bin
-exec "$root/tests/integration/with_bus.sh" "$bin/deaths_bench" "${1:-5}"
+build=$(cd "${2:-$root/build/release}" && pwd)
+exec "$root/tests/integration/with_bus.sh" "$build/tests/deaths_bench" "${1:-5}"

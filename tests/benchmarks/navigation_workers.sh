@@ -9,7 +9,7 @@ ROOT=$(cd "$(dirname "$0")/../.." && pwd)
 OUT=${OUT:-$(mktemp -d)}
 for workers in 1 4; do
   for samples in 10 50 200 800; do
-    "$ROOT/prospect" evaluate --weights "${WEIGHTS:-$ROOT/model/weights/navigation.safetensors}" --objects 7 --legs 5 \
+    "$ROOT/prospect" evaluate --task navigation --weights "${WEIGHTS:-$ROOT/model/weights/navigation.safetensors}" --objects 7 --legs 5 \
       --samples "$samples" --workers "$workers" --scenes "${SCENES:-100}" --jobs "${JOBS:-$(nproc)}" --rows planner \
       --threshold "${THRESHOLD:-0}" --v-failed "${V_FAILED:-0.02}" \
       --json "$OUT/$workers-$samples.json" >"$OUT/$workers-$samples.log"

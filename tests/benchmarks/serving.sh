@@ -16,7 +16,7 @@ OUT=${OUT:-$(mktemp -d)}
 WEIGHTS=${WEIGHTS:-$ROOT/model/weights/navigation.safetensors}
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 
-bench() { "$ROOT/tests/integration/with_bus.sh" "$BUILD/bin/prospect-bus-bench" --logs "$OUT/logs" "$@"; }
+bench() { "$ROOT/tests/integration/with_bus.sh" "$BUILD/bin/prospect-bench" search --logs "$OUT/logs" "$@"; }
 
 # holds FILE WORKERS KEY LEAST|MOST BOUND: prints the figure and whether it holds.
 FAILED=0

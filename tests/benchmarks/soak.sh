@@ -4,5 +4,5 @@
 # Fails when resident memory, open files or caches of any process grow.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
-bin=$(cd "${2:-$root/build/release}" && pwd)/bin
-PROSPECT_SOAK_SECONDS=${1:-1200} exec "$root/tests/integration/with_bus.sh" "$bin/faults_soak_test"
+build=$(cd "${2:-$root/build/release}" && pwd)
+PROSPECT_SOAK_SECONDS=${1:-1200} exec "$root/tests/integration/with_bus.sh" "$build/tests/faults_soak_test"

@@ -112,7 +112,7 @@ void Print(const SearchAnswer& answer) {
 }
 
 void AddOptions(CLI::App& app, Options& options) {
-  AddCommonOptions(app, options.common);
+  cli::DefineProcess(app, options.common);
   app.add_option("--workers", options.workers, "workers to wait for");
   app.add_option("--servers", options.servers, "model servers to wait for");
   app.add_option("--searches", options.searches, "how many, one after the other");

@@ -23,7 +23,7 @@ Process& WatchedSearch::Begin(int workers, int budget_ms) {
       "--log-level", "off",        "--workers",   std::to_string(workers),
       "--samples",   "1000000000", "--budget-ms", std::to_string(budget_ms)};
   answer_log_ = folder + "/answer.json";
-  asker_ = std::make_unique<Process>("fault-asker", arguments, answer_log_);
+  asker_ = std::make_unique<Process>("tests/fault-asker", arguments, answer_log_);
   return *asker_;
 }
 

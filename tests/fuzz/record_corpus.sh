@@ -3,7 +3,8 @@
 #   tests/fuzz/record_corpus.sh [BUILD_FOLDER]        (default build/release; needs the programs and fuzz_split_log)
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
-bin=$(cd "${1:-$root/build/release}" && pwd)/bin
+build=$(cd "${1:-$root/build/release}" && pwd)
+bin=$build/bin
 work=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$work"' EXIT
 export LCM_DEFAULT_URL='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
@@ -21,5 +22,5 @@ for i in 1 2; do "$bin/prospect-worker" >"$work/worker$i" 2>&1 & done
 kill -INT %1
 wait %1 || true
 rm -rf "$root/tests/fuzz/corpus"
-"$bin/fuzz_split_log" "$work/log" "$root/tests/fuzz/corpus"
+"$build/tests/fuzz_split_log" "$work/log" "$root/tests/fuzz/corpus"
 du -sh --apparent-size "$root/tests/fuzz/corpus"

@@ -133,7 +133,7 @@ TEST_F(Authentic, TheSameCommandWithTheKeyMoves) {
 // A robot in another program, by examples/keyed.
 TEST_F(Authentic, TheExampleRobotObeysTheKeyAlone) {
   Witness witness;
-  Process robot("example-robot", {"--bus", witness.bus.url()},
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
                 MakeFolder("authentic_robot") + "/robot.log");
   ASSERT_TRUE(witness.Until([&] { return !witness.statuses.empty(); }, 10000));
   witness.episode_id = witness.statuses.back().episode_id;
@@ -241,7 +241,7 @@ TEST(Playing, IsRefusedWhereADeploymentLives) {
   ASSERT_TRUE(witness.Until(
       [&] { return witness.Ready("simulator", 1) && witness.episode_id >= 0; }, 10000));
   const std::string log = MakeRecording(witness, deployment.folder);
-  Process play("prospect-replay", {"play", log, "--with-commands", "--bus", witness.bus.url()},
+  Process play("prospect-bus", {"play", log, "--with-commands", "--bus", witness.bus.url()},
                deployment.folder + "/play.log");
   int code = -1;
   ASSERT_TRUE(witness.Until([&] { return (code = play.Wait(0)) >= 0; }, 20000));
@@ -267,7 +267,7 @@ TEST(Playing, HappensOnABusOfItsOwnWithoutCommands) {
         there.Subscribe<search_stop_t>([&](const search_stop_t&) { ++stops; });
     std::vector<std::string> words{"play", log};
     words.insert(words.end(), more.begin(), more.end());
-    Process player("prospect-replay", words, deployment.folder + "/play.log");
+    Process player("prospect-bus", words, deployment.folder + "/play.log");
     int code = -1;
     EXPECT_TRUE(witness.Until(
         [&] {

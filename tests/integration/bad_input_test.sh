@@ -23,7 +23,7 @@ cd "$folder" || exit 1
 absent=$folder/absent
 
 # What the cases need: three trials, weights, and both damaged in several ways.
-prospect-collect --trials 3 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
+prospect-data collect --task navigation --trials 3 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
 good=$root/model/weights/navigation.safetensors
 : >empty
 echo 'no data of ours, a line of text' >text
@@ -34,19 +34,22 @@ LC_ALL=C sed 's/"shape":\[32,8,1,1\]/"shape":[8,32,1,1]/' "$good" >shape.safeten
 LC_ALL=C sed 's/\\"task\\":\\"navigation\\"/\\"task\\":\\"stackingxx\\"/' "$good" >task.safetensors
 
 # --- Unknown options and tasks, values out of range.
-for program in worker executive check-robot oracle sim-bench picks-bench; do
-  expect 2 'not expected: --nonsense' prospect-$program --nonsense
+expect 2 'not expected: --nonsense' prospect-worker --nonsense
+expect 2 "unknown option '--nonsense'" prospect-executive --nonsense
+for program in "bus check-robot" "bus status" "world oracle" "bench sim" "bench picks"; do
+  expect 2 "unknown option '--nonsense'" prospect-$program --nonsense
 done
+expect 2 'prospect-world: give one of oracle, ceiling, takes, view' prospect-world nonsense
 expect 2 'not expected: --nonsense' prospect-model-server --weights scripted --nonsense
 expect 2 'not expected: --nonsense' prospect-simulator --nonsense
-expect 2 'not expected: --nonsense' prospect-collect --out x.h5 --nonsense
-expect 2 'not expected: --nonsense' prospect-train --task navigation --nonsense
-expect 2 'not expected: --nonsense' prospect-evaluate --weights "$good" --nonsense
-expect 2 'not expected: --nonsense' prospect-dataset info good.h5 --nonsense
-expect 2 'not expected: --nonsense' prospect-from-log text --out x.h5 --nonsense
+expect 2 "unknown option '--nonsense'" prospect-data collect --task navigation --out x.h5 --nonsense
+expect 2 "unknown option '--nonsense'" prospect-train train --task navigation --nonsense
+expect 2 "unknown option '--nonsense'" prospect-evaluate run --task navigation --weights "$good" --nonsense
+expect 2 "unknown option '--nonsense'" prospect-data info good.h5 --nonsense
+expect 2 "unknown option '--nonsense'" prospect-data from-log text --out x.h5 --nonsense
 expect 2 'not expected: --nonsense' prospect-supervisor --task navigation --weights scripted --state . --logs . --nonsense
-expect 2 '.' prospect-view --nonsense --out x.png
-expect 2 'ubcommand' prospect-bus nonsense
+expect 2 "unknown option '--nonsense'" prospect-world view --nonsense --out x.png
+expect 2 'give one of status, check' prospect-bus nonsense
 expect 2 "unknown command 'nonsense'.*--help" "$root/prospect" nonsense
 for command in demo up run; do
   expect 2 "unknown option '--nonsense'.*--help" "$root/prospect" $command --nonsense
@@ -55,44 +58,43 @@ for command in demo up run; do
 done
 for goal in 'on(red)' 'on(red' 'under(red,blue)' 'red on blue' ''; do
   expect 2 'is no goal.*on\(red,blue\)' prospect-executive --goal "$goal"
-  expect 2 'is no goal.*on\(red,blue\)' prospect-evaluate --weights "$good" --goal "$goal"
+  expect 2 'is no goal.*on\(red,blue\)' prospect-evaluate run --task navigation --weights "$good" --goal "$goal"
 done
 expect 2 'is no goal.*on\(red,blue\)' "$root/prospect" run --goal 'on(red'
-expect 3 "there is no 'unicorn' in this task; there are: .*barrel" prospect-evaluate --weights "$good" --goal 'visited(unicorn)'
-expect 3 'puts nothing on anything' prospect-evaluate --weights "$good" --goal 'on(barrel,pylon)'
-expect 2 'wants scenes as they come' prospect-evaluate --weights "$good" --calibrate --solvable 5
-expect 2 'at most 10000 scenes' prospect-evaluate --weights "$good" --calibrate --scenes 20000
-expect 2 'leave --alpha and --epsilon out' prospect-evaluate --weights "$good" --threshold 0.1 --alpha 0.05
-expect 2 'alpha.*not in range' prospect-evaluate --weights "$good" --alpha 1.5
-expect 2 '[-]-weights or --report' prospect-evaluate-refusals
-expect 14 'is no report of prospect-evaluate' prospect-evaluate-refusals --report "$good"
+expect 3 "there is no 'unicorn' in this task; there are: .*barrel" prospect-evaluate run --task navigation --weights "$good" --goal 'visited(unicorn)'
+expect 3 'puts nothing on anything' prospect-evaluate run --task navigation --weights "$good" --goal 'on(barrel,pylon)'
+expect 2 "unknown option '--solvable'" prospect-evaluate calibrate --task navigation --weights "$good" --solvable 5
+expect 2 '--scenes wants a whole number from 1 to 10000' prospect-evaluate calibrate --task navigation --weights "$good" --scenes 20000
+expect 2 'calibration scenes are 1500000 to 1999999' prospect-evaluate calibrate --weights "$good" --seed 1999990 --scenes 20
+expect 2 'leave --refuse-at-most and --fail-at-most out' prospect-evaluate run --weights "$good" --threshold 0.1 --refuse-at-most 0.05
+expect 2 'wants a share between 0 and 1' prospect-evaluate run --weights "$good" --refuse-at-most 1.5
+expect 14 'is no report of ./prospect evaluate' prospect-evaluate refusals --report "$good"
 expect 2 'wants a share between 0 and 1' "$root/prospect" run --fail-at-most 5
-for program in oracle sim-bench; do
-  expect 2 "unknown task 'juggling': the tasks are navigation" prospect-$program --task juggling
-done
-expect 2 "unknown task 'juggling': the tasks are navigation" prospect-collect --task juggling --out x.h5
-expect 2 "unknown task 'juggling': the tasks are navigation" prospect-view --task juggling --out x.png
-expect 2 "unknown task 'juggling': the tasks are navigation" prospect-evaluate --task juggling --weights "$good" --scenes 1
-expect 2 "task 'juggling': .*known: navigation" prospect-train --task juggling --data good.h5 --out out
+expect 2 "unknown task 'juggling'; known: navigation" prospect-world oracle --task juggling
+expect 2 "wants one of navigation.* not 'juggling'" prospect-bench sim --task juggling
+expect 2 "unknown task 'juggling'; known: navigation" prospect-data collect --task juggling --out x.h5
+expect 2 "unknown task 'juggling'; known: navigation" prospect-world view --task juggling --out x.png
+expect 2 "unknown task 'juggling'; known: navigation" prospect-evaluate run --task juggling --weights "$good" --scenes 1
+expect 2 "unknown task 'juggling'; known: navigation" prospect-train train --task juggling --data good.h5 --out out
 expect 2 'objects.* 4 to 7' prospect-simulator --objects 9
-expect 2 'objects is 9, give 4 to 7' prospect-collect --objects 9 --out x.h5
-expect 2 'objects.* 4 to 7' prospect-evaluate --weights "$good" --objects 9 --scenes 1
-expect 2 'collection takes 0 to 999,999' prospect-collect --seed 1000000 --trials 1 --out x.h5
-expect 2 'seed' prospect-evaluate --weights "$good" --seed 5 --scenes 1
-expect 2 "unknown row 'best'; known: planner" prospect-evaluate --weights "$good" --rows best --scenes 1
-expect 2 "no selection rule 'best'; there are: paper" prospect-evaluate --weights "$good" --rule best --scenes 1
+expect 2 'objects wants one of 4, 5, 6, 7, mixed' prospect-data collect --task navigation --objects 9 --out x.h5
+expect 2 'objects wants a whole number from 4 to 7' prospect-evaluate run --task navigation --weights "$good" --objects 9 --scenes 1
+expect 2 'collection takes 0 to 999,999' prospect-data collect --task navigation --seed 1000000 --trials 1 --out x.h5
+expect 2 'seed' prospect-evaluate run --task navigation --weights "$good" --seed 5 --scenes 1
+expect 2 "unknown row 'best'; known: planner" prospect-evaluate run --task navigation --weights "$good" --rows best --scenes 1
+expect 2 "no selection rule 'best'; there are: paper" prospect-evaluate run --task navigation --weights "$good" --rule best --scenes 1
 expect 2 "unknown policy 'best'; known: search" prospect-executive --policy best
 expect 2 'give action indices, as in plan:0,2,1' prospect-executive --policy plan:x
 expect 2 'wants a share from 0 to 1' prospect-worker --chaos drop=2
 expect 2 'say A,B' prospect-model-server --weights scripted --fixed-cost 1
-expect 2 '--scene-file: File does not exist|cannot be read as YAML' prospect-view --task stacking --scene-file "$absent" --out x.png
-expect 2 'is not JSON' prospect-train --task navigation --data good.h5 --out out --config text
-expect 2 "stage 'best': known are" prospect-train --task navigation --data good.h5 --out out --stage best --iterations 1
+expect 2 '--scene-file: File does not exist|cannot be read as YAML' prospect-world view --task stacking --scene-file "$absent" --out x.png
+expect 2 'is not JSON' prospect-train train --task navigation --data good.h5 --out out --config text
+expect 2 "stage 'best': known are" prospect-train train --task navigation --data good.h5 --out out --stage best --iterations 1
 
 # --- Weights: missing, a folder, empty, not weights, cut off, of another shape, of another task.
 weights() {  # weights FILE TEXT: to everyone who loads weights
   expect 10 "$2" prospect-model-server --check --weights "$1"
-  expect 10 "$2" prospect-evaluate --weights "$1" --scenes 1 --rows planner --jobs 2
+  expect 10 "$2" prospect-evaluate run --task navigation --weights "$1" --scenes 1 --rows planner --jobs 2
 }
 weights "$absent" 'absent: cannot be opened; is the path right'
 weights "$folder" 'is a folder; name the file'
@@ -100,8 +102,8 @@ weights empty 'empty: is too short.*truncated'
 weights text 'text: its header is longer than the file; truncated, or not a safetensors'
 weights cut.safetensors 'cut.safetensors: .*truncated'
 weights shape.safetensors 'another shape|was made for other weights'
-expect 10 "was trained for task 'stackingxx', not for 'navigation'" prospect-evaluate --weights task.safetensors --scenes 1
-expect 10 "for task 'navigation', not for 'stacking'" prospect-evaluate --task stacking --weights "$good" --scenes 1
+expect 10 "was trained for task 'stackingxx', not for 'navigation'" prospect-evaluate run --task navigation --weights task.safetensors --scenes 1
+expect 10 "for task 'navigation', not for 'stacking'" prospect-evaluate run --task stacking --weights "$good" --scenes 1
 expect 10 "no weights at $absent: ./prospect train makes them" "$root/prospect" up --weights "$absent"
 expect 10 'absent' prospect-model-server --check --weights "replay:$absent"
 expect 10 'text is no recording' prospect-model-server --check --weights replay:text
@@ -109,10 +111,10 @@ expect 10 'text is no recording' prospect-model-server --check --weights replay:
 # --- Data sets: missing, a folder, empty, not HDF5, cut off, with bytes missing inside.
 for file in "$absent" "$folder" empty text cut.h5 short.h5; do
   damage='(does not open as an HDF5 file.*collect or pack it again|damaged)'
-  expect 14 "$file: .*$damage" prospect-dataset info "$file"
-  expect 14 "$file: .*$damage" prospect-dataset sheet "$file" --out x.png
-  expect 14 "$file: .*$damage" prospect-train --task navigation --data "$file" --out out --iterations 1
-  [ "$file" = "$folder" ] || expect 14 "$file: .*$damage" prospect-dataset pack "$file" --out x.h5
+  expect 14 "$file: .*$damage" prospect-data info "$file"
+  expect 14 "$file: .*$damage" prospect-data sheet "$file" --out x.png
+  expect 14 "$file: .*$damage" prospect-train train --task navigation --data "$file" --out out --iterations 1
+  [ "$file" = "$folder" ] || expect 14 "$file: .*$damage" prospect-data pack "$file" --out x.h5
 done
 [ -e x.h5 ] && echo "FAULT pack left a data set behind" && faults=$((faults + 1))
 # Bytes turned over, one file after the other: sound figures, or a clear refusal, and never a crash.
@@ -121,7 +123,7 @@ size=$(stat -c %s good.h5)
 for place in 0 9 40 96 140 300 700 900 1200 2000 2100 2300 3000 $((size / 4)) $((size / 2)) $((size - 700)) $((size - 90)); do
   cp good.h5 flipped.h5
   printf '\377\252\001\177' | dd of=flipped.h5 bs=1 seek="$place" conv=notrunc status=none
-  said=$(prospect-dataset info flipped.h5 2>&1 >/dev/null)
+  said=$(prospect-data info flipped.h5 2>&1 >/dev/null)
   code=$?
   checks=$((checks + 1))
   [ "$code" = 14 ] && refused=$((refused + 1))
@@ -145,15 +147,15 @@ expect 14 'libhdf5 was stopped.*damaged file: leave out' bash struck info stuck.
 
 # --- Recordings, journals, results.
 for file in "$absent" text empty; do
-  expect 14 "$file" prospect-replay bus "$file"
-  expect 14 "$file" prospect-replay journal "$file"
-  expect 14 "$file" prospect-from-log "$file" --out x.h5
-  expect 14 "$file" prospect-view --episode "$file" --video x.mp4
+  expect 14 "$file" prospect-bus rebuild-bus "$file"
+  expect 14 "$file" prospect-bus rebuild-journal "$file"
+  expect 14 "$file" prospect-data from-log "$file" --out x.h5
+  expect 14 "$file" prospect-world view --task navigation --episode "$file" --video x.mp4
 done
 
 # --- A bus that cannot be: no address, another scheme, no multicast address, nobody at the relay.
 bus_users=("prospect-worker" "prospect-simulator" "prospect-model-server --weights scripted" "prospect-executive"
-  "prospect-check-robot" "prospect-bus check" "prospect-bus wait --services worker=1")
+  "prospect-bus check-robot" "prospect-bus check" "prospect-bus wait --services worker=1")
 for user in "${bus_users[@]}"; do
   expect 11 "cannot open the bus 'nonsense': the URL must be like udpm://" $user --bus nonsense
 done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What ./prospect builds, when, and what it says meanwhile. In the places of cmake, ninja and Debian's package list are scripts
 # that write down what they were asked for.
-#   building_test.sh ROOT
+#   building_test.sh ROOT PROSPECT     PROSPECT: bin/prospect, which is not built anew
 set -uo pipefail
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -9,7 +9,7 @@ place=$work/place calls=$work/calls
 mkdir -p "$work/tools" "$place"
 cp -r "$1"/{prospect,scripts,packages.txt,config} "$place"
 unset PROSPECT_BUILD TESTS
-export CALLS=$calls SAYS=$work/says PATH=$work/tools:$PATH
+export CALLS=$calls SAYS=$work/says REAL=$2 PATH=$work/tools:$PATH
 
 tool() { cat >"$work/tools/$1" && chmod +x "$work/tools/$1"; }
 tool dpkg-query <<'SH'
@@ -25,7 +25,7 @@ tool cmake <<'SH'
 echo "cmake $*" >>"$CALLS"
 mkdir -p build/release/bin
 printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\n' "$PWD" "${3#*=}" >build/release/CMakeCache.txt
-for target in all quick_tests prospect-{supervisor,simulator,model-server,worker,executive,bus,predict,view,verify,collect,train,evaluate}; do
+for target in all quick_tests prospect prospect-{supervisor,simulator,model-server,worker,executive,bus,video,world,verify,data,train,evaluate}; do
   echo "build $target: phony some/where"
 done >build/release/build.ninja
 SH
@@ -36,6 +36,7 @@ echo "ninja $*" >>"$CALLS"
 echo '[0/2] Re-checking globbed directories...'
 if [ -f "$SAYS" ]; then . "$SAYS"; else echo 'ninja: no work to do.'; fi || exit
 for target; do
+  [ "$target" != prospect ] || cp "$REAL" bin/prospect
   [[ $target = prospect-* ]] || continue
   printf '#!/bin/sh\necho "started %s $*"\n' "$target" >"bin/$target" && chmod +x "bin/$target"
 done
@@ -55,13 +56,23 @@ is_silent_about() { ! grep -qE -- "$1" <<<"$said" || fail "a line with '$1'"; }
 called() { grep -qxE -- "$1" "$calls" 2>/dev/null || fail "no call of '$1'"; }
 did_not_call() { ! grep -qE -- "$1" "$calls" 2>/dev/null || fail "a call of '$1'"; }
 
-# A program is built when it is first asked for, alone, and used as it is from then on.
+# A program is built when it is first asked for, alone, and used as it is from then on; before all others bin/prospect, which
+# knows what a command needs.
 asked 0 view --seed 3
 called 'cmake --preset release -DPROSPECT_TESTS=OFF'
-called 'ninja prospect-view'
-says '^started prospect-view --seed 3$'
+called 'ninja prospect'
+called 'ninja prospect-world'
+says '^started prospect-world view --seed 3$'
 asked 0 view --seed 3
 did_not_call 'cmake|ninja'
+
+# When its sources are newer, and only then, bin/prospect is built again.
+mkdir "$place/cli"
+touch "$place/cli/table.cpp"
+asked 0 run --help
+called 'ninja prospect'
+asked 0 run --help
+did_not_call .
 
 # Where nothing is to be built, nothing is said of building, and CMake is left alone.
 echo 'exit 1' >"$work/stop"
@@ -72,7 +83,7 @@ called 'ninja prospect-supervisor prospect-simulator prospect-model-server prosp
 is_silent_about '^Building'
 
 asked 2 demo --task suturing --weights scripted
-called 'ninja .* prospect-predict'
+called 'ninja .* prospect-video'
 
 # What is built is told with its steps and, once that can be told, the time that is left.
 cat >"$SAYS" <<'SH'
@@ -116,7 +127,7 @@ rm "$SAYS"
 
 # Programs that run others bring them along; one that this build does not have is named as such.
 asked 0 verify
-called 'ninja (prospect-verify|prospect-collect|prospect-evaluate|prospect-train| )+'
+called 'ninja (prospect-verify|prospect-data|prospect-evaluate|prospect-train| )+'
 says '^started prospect-verify '
 asked 2 figures
 says 'this build has no figures: it did not find OpenCV'
@@ -130,7 +141,7 @@ says '^Waiting for another build'
 wait
 
 # With a build folder named, nothing is built.
-rm "$place/build/release/bin/prospect-view"
+rm "$place/build/release/bin/prospect-world"
 PROSPECT_BUILD=$work/none asked 127 view
 did_not_call 'cmake|ninja'
 
@@ -138,13 +149,37 @@ did_not_call 'cmake|ninja'
 for command in demo explain up run down scale test setup; do
   asked 0 "$command" --help
   did_not_call .
-  says "^  ./prospect $command"
-  is_silent_about '^  ./prospect (train|bench|messages)'
+  says "^usage: ./prospect $command"
 done
 asked 0 demo --seed 3 --help
 says '^  --seed N'
 is_silent_about '--no-simulator|--what-if'
 asked 0 up --help
 says '^  --no-simulator'
+is_silent_about '--seed|--samples'
+asked 0 spy --help
 asked 0 --help
-says '^  ./prospect train'
+says '^  train '
+
+# What is mistyped ends before anything is built.
+asked 2 demo --goal 'on(red'
+did_not_call .
+asked 2 explain --what-if 'align(green'
+did_not_call .
+asked 2 evaluat
+says "did you mean evaluate"
+
+# Without packages there is no bin/prospect: who only asks is told which, and nothing is installed.
+rm "$place/build/release/bin/prospect"
+tool dpkg-query <<'SH'
+#!/bin/sh
+SH
+tool apt-get <<'SH'
+#!/bin/sh
+echo "apt-get $*" >>"$CALLS"
+SH
+for command in --help doctor; do
+  asked 2 $command
+  says 'packages are missing.*./prospect setup'
+  did_not_call .
+done

@@ -18,7 +18,8 @@ struct Checked {
 };
 
 Checked Check(Witness& witness, const std::string& folder) {
-  Process check("prospect-check-robot", {"--json", folder + "/check.json"}, folder + "/check.log");
+  Process check("prospect-bus", {"check-robot", "--json", folder + "/check.json"},
+                folder + "/check.log");
   Checked result;
   witness.Until([&] { return (result.code = check.Wait(0)) >= 0; }, 90000);
   const auto file = nlohmann::json::parse(ReadText(folder + "/check.json"), nullptr, false);
@@ -54,7 +55,7 @@ TEST(CheckRobot, TheSimulatorPassesWhenItsEpisodeIsOver) {
 TEST(CheckRobot, TheExamplePasses) {
   Witness witness;
   const std::string folder = MakeFolder("check_example");
-  Process robot("example-robot", {"--bus", witness.bus.url()}, folder + "/robot.log");
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()}, folder + "/robot.log");
   ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 20000));
   const Checked checked = Check(witness, folder);
   EXPECT_EQ(checked.code, 0) << ReadText(folder + "/check.log");
@@ -73,7 +74,8 @@ TEST(CheckRobot, NobodyThereIsAFault) {
 TEST(CheckRobot, AnEpisodeWithTheExample) {
   Witness witness;
   Deployment deployment("example_episode");
-  Process robot("example-robot", {"--bus", witness.bus.url()}, deployment.folder + "/robot.log");
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
+                deployment.folder + "/robot.log");
   auto& executive = deployment.Executive(
       {"--no-reset", "--policy", "plan:0,1,2", "--services-timeout-ms", "20000"});
   int code = -1;

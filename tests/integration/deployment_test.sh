@@ -131,23 +131,21 @@ says 12 'already up on this bus' "$prospect" up --task navigation --weights scri
 expect 2 '--task stacking, but navigation is up' "$prospect" run --task stacking
 expect 2 '--weights .*stacking.safetensors, but .*scripted' "$prospect" run --weights "${prospect%/*}/model/weights/stacking.safetensors"
 expect 2 '--workers 4, but 1 are up.*scale workers=4' "$prospect" run --workers 4
-expect 2 '--factor is an option of ./prospect up' "$prospect" run --factor light --strength 2
-expect 2 '--open is an option of ./prospect up' "$prospect" run --open
+expect 2 "unknown option '--factor'; ./prospect up has it" "$prospect" run --factor light --strength 2
+expect 2 "unknown option '--open'; ./prospect up has it" "$prospect" run --open
 expect 2 '--no-reset takes the scene as it is' "$prospect" run --no-reset --objects 5
 says 4 '^Files in site: .*result.json' "$prospect" run --task navigation --policy plan:0 --out site
 says 2 'but navigation is up' prospect-executive --key "$state/key" --task stacking --policy plan:0
 
 # --- Beside a deployment, demos and explanations have a bus of their own: in a namespace, and where there can be none, by a port.
-mkdir no_namespace
-printf '#!/bin/sh\nexit 1\n' >no_namespace/unshare
-chmod +x no_namespace/unshare
+without_namespaces() { unshare -r bash -c 'echo 0 >/proc/sys/user/max_net_namespaces && exec "$@"' - "$@"; }
 heard_before=$("$prospect" status | grep -c ready)
 alone=(--task navigation --weights scripted --workers 1 --policy plan:0)
 "$prospect" demo "${alone[@]}" --out demo-1 >demo-1.log 2>&1 &
 first=$!
-PATH=$folder/no_namespace:$PATH "$prospect" demo "${alone[@]}" --out demo-2 >demo-2.log 2>&1 &
+without_namespaces "$prospect" demo "${alone[@]}" --out demo-2 >demo-2.log 2>&1 &
 second=$!
-PATH=$folder/no_namespace:$PATH "$prospect" demo "${alone[@]}" --out demo-3 >demo-3.log 2>&1 &
+without_namespaces "$prospect" demo "${alone[@]}" --out demo-3 >demo-3.log 2>&1 &
 third=$!
 for demo in "$first" "$second" "$third"; do
   checks=$((checks + 1))

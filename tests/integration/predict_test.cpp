@@ -47,9 +47,10 @@ class Predicting : public ::testing::Test {
   }
 
   Process Player(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments = {"--video", video_, "--transcription", transcription_};
+    std::vector<std::string> arguments = {"play", "--video", video_, "--transcription",
+                                          transcription_};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return Process("prospect-player", arguments, deployment_.folder + "/player.log");
+    return Process("prospect-video", arguments, deployment_.folder + "/player.log");
   }
   Process Model() const {
     return Process("prospect-model-server", {"--weights", kWeights},
@@ -57,10 +58,10 @@ class Predicting : public ::testing::Test {
   }
   /// Exit code, with what it printed in `said_`.
   int Predict(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"--out", Out("")};
+    std::vector<std::string> arguments = {"predict", "--out", Out("")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const std::string log = deployment_.folder + "/predict.log";
-    Process predict("prospect-predict", arguments, log);
+    Process predict("prospect-video", arguments, log);
     const int code = predict.Wait(60000);
     said_ = ReadText(log);
     return code;

@@ -1,4 +1,4 @@
-// A trial recorded from the bus by lcm-logger and imported equals the trial that prospect-collect
+// A trial recorded from the bus by lcm-logger and imported equals the trial that `prospect collect`
 // makes for that scene: frames as a reader sees them, and labels.
 
 #include <gtest/gtest.h>
@@ -54,13 +54,14 @@ void TrialEqualsTheCollectedOne(const std::string& name, const World& world) {
   logger.Signal(2);
   ASSERT_GE(logger.Wait(5000), 0);
 
-  Process importer("prospect-from-log", {log, "--out", deployment.folder + "/recorded.h5"},
+  Process importer("prospect-data", {"from-log", log, "--out", deployment.folder + "/recorded.h5"},
                    deployment.folder + "/import.log");
   ASSERT_EQ(importer.Wait(30000), 0) << ReadText(deployment.folder + "/import.log");
-  arguments = {"--trials", "1",  "--jobs", "1",
-               "--seed",   seed, "--out",  deployment.folder + "/collected.h5"};
+  arguments = {"collect", "--trials", "1",
+               "--jobs",  "1",        "--seed",
+               seed,      "--out",    deployment.folder + "/collected.h5"};
   arguments.insert(arguments.end(), world.collector.begin(), world.collector.end());
-  Process collector("prospect-collect", arguments, deployment.folder + "/collect.log");
+  Process collector("prospect-data", arguments, deployment.folder + "/collect.log");
   ASSERT_EQ(collector.Wait(30000), 0) << ReadText(deployment.folder + "/collect.log");
 
   const model::Trial recorded = ReadOnly(deployment.folder + "/recorded.h5");
@@ -78,13 +79,13 @@ void TrialEqualsTheCollectedOne(const std::string& name, const World& world) {
 }
 
 TEST(Recorded, TrialEqualsTheCollectedOne) {
-  TrialEqualsTheCollectedOne("navigation", {{}, {}, {"--objects", "7", "--legs", "3"}});
+  TrialEqualsTheCollectedOne("navigation",
+                             {{}, {}, {"--task", "navigation", "--objects", "7", "--legs", "3"}});
 }
 
 TEST(Recorded, StackingTrialEqualsTheCollectedOne) {
-  TrialEqualsTheCollectedOne(
-      "stacking",
-      {{"--task", "stacking"}, {"--objects", "0", "--legs", "9"}, {"--task", "stacking"}});
+  TrialEqualsTheCollectedOne("stacking",
+                             {{"--task", "stacking"}, {"--tower", "2"}, {"--task", "stacking"}});
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 json Replay(const std::string& folder, const std::string& what, const std::string& file) {
   const std::string out = file + ".json";
-  Process replay("prospect-replay", {what, file, "--json", out}, folder + "/replay.log");
+  Process replay("prospect-bus", {"rebuild-" + what, file, "--json", out}, folder + "/replay.log");
   EXPECT_EQ(replay.Wait(30000), 0) << ReadText(folder + "/replay.log");
   return json::parse(ReadText(out));
 }

@@ -62,8 +62,8 @@ ends 2 "$prospect" run --seed 1600000 --policy expert --scene-file other.yaml --
 grep -q 'another scene is up' of_other/result.json || { faults=$((faults + 1)); echo 'FAULT the other scene is not named'; }
 ends 0 "$prospect" down
 
-expect 2 "carried out in the world $world" "$bin/prospect-view" --episode of_own/result.json --out seen.png
-ends 0 "$bin/prospect-view" --episode of_own/result.json --scene-file own.yaml --out seen.png
+expect 2 "carried out in the world $world" "$bin/prospect-world" view --episode of_own/result.json --out seen.png
+ends 0 "$bin/prospect-world" view --episode of_own/result.json --scene-file own.yaml --out seen.png
 ends 0 "$prospect" oracle --task stacking --scenes 1 --scene-file own.yaml --json oracle.json
 holds oracle.json '"hopeless"'
 ls "$work"/oracle/*"$world"* >/dev/null || { faults=$((faults + 1)); echo 'FAULT the oracle was asked of another world'; }

@@ -32,7 +32,7 @@ TEST(Stacking, AnExpertEpisodeOverTheBus) {
   Deployment deployment("stacking_expert");
   deployment.Simulator(kStacking);
   auto& executive = deployment.Executive(
-      {"--policy", "expert", "--objects", "0", "--legs", "9", "--services-timeout-ms", "20000"}, 4);
+      {"--policy", "expert", "--tower", "2", "--services-timeout-ms", "20000"}, 4);
   int code = -1;
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 90000));
   const auto result = deployment.Result();
@@ -58,10 +58,10 @@ TEST(Stacking, ALostPlanIsBegunAnew) {
                        {"--weights", PROSPECT_ROOT "/model/weights/stacking.safetensors"},
                        deployment.folder + "/model.log");
   deployment.Worker();
-  auto& executive = deployment.Executive(
-      {"--objects", "0", "--legs", "9", "--surprise", "0", "--refusal-threshold", "0.01",
-       "--samples", "20", "--services-timeout-ms", "20000"},
-      1000103);
+  auto& executive =
+      deployment.Executive({"--tower", "2", "--surprise", "0", "--refusal-threshold", "0.01",
+                            "--samples", "20", "--services-timeout-ms", "20000"},
+                           1000103);
   int code = -1;
   ASSERT_TRUE(witness.Until([&] { return (code = executive.Wait(0)) >= 0; }, 90000));
   const auto result = deployment.Result();
@@ -82,10 +82,8 @@ TEST(Stacking, WithoutImaginedPicturesNothingIsDone) {
   deployment.Simulator(kStacking);
   deployment.ModelServer({"--weights", PROSPECT_ROOT "/model/weights/stacking.safetensors"});
   deployment.Worker();
-  std::vector<std::string> blind{"--objects",
-                                 "0",
-                                 "--legs",
-                                 "9",
+  std::vector<std::string> blind{"--tower",
+                                 "2",
                                  "--refusal-threshold",
                                  "0.01",
                                  "--samples",

@@ -15,15 +15,15 @@ weights=$root/model/weights/navigation.safetensors
 fault() { echo "FAULT $*"; faults=$((faults + 1)); }
 sums() { (cd "$1" && find . -type f -exec sha256sum {} + | sort); }
 
-prospect-collect --trials 30 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
+prospect-data collect --task navigation --trials 30 --seed 0 --jobs 1 --out good.h5 >/dev/null 2>&1 || exit 1
 echo '{"checkpoint_seconds": 0, "classifier": {"iterations": 26, "batch": 2, "learning_rate": 0.001}}' >few.json
-train=(prospect-train --task navigation --config few.json --out run --threads 1)
+train=(prospect-train train --task navigation --config few.json --out run --threads 1)
 
 # --- Data sets: of another task, without a success, with damaged frames.
-expect 14 "good.h5: holds trials of 'navigation', not of 'stacking'" prospect-train --task stacking --data good.h5 --out run
+expect 14 "good.h5: holds trials of 'navigation', not of 'stacking'" prospect-train train --task stacking --data good.h5 --out run
 for seed in $(seq 0 50); do
-  prospect-collect --trials 1 --seed "$seed" --jobs 1 --out one.h5 --json one.json >/dev/null 2>&1 || exit 1
-  grep -q '"successes": 0' one.json && [ "$(prospect-dataset info one.h5 | grep -c '1 train')" = 1 ] && break
+  prospect-data collect --task navigation --trials 1 --seed "$seed" --jobs 1 --out one.h5 --json one.json >/dev/null 2>&1 || exit 1
+  grep -q '"successes": 0' one.json && [ "$(prospect-data info one.h5 | grep -c '1 train')" = 1 ] && break
 done
 expect 14 'one.h5: none of the 1 trials in its train part succeeded.*add trials that succeed' \
   "${train[@]}" --data one.h5 --stage heads
@@ -36,7 +36,7 @@ expect 14 'holes.h5: .*(damaged|not a data set of ours)' "${train[@]}" --data ho
 
 # --- Weights to begin from: of another task, none, not weights.
 expect 10 "navigation.safetensors: tensor 'transform.action.weight' has another shape" \
-  prospect-train --task stacking --data good.h5 --out run --from "$weights"
+  prospect-train train --task stacking --data good.h5 --out run --from "$weights"
 echo 'no weights' >text
 expect 10 'text: .*not a safetensors' "${train[@]}" --data good.h5 --from text
 expect 2 'File does not exist' "${train[@]}" --data good.h5 --from absent
@@ -44,9 +44,9 @@ expect 2 'File does not exist' "${train[@]}" --data good.h5 --from absent
 # --- CUDA where there is none.
 export CUDA_VISIBLE_DEVICES=
 expect 2 "device 'cuda': libtorch finds no GPU here; take --device cpu" "${train[@]}" --data good.h5 --device cuda
-expect 2 "device 'cuda': libtorch finds no GPU here; take --device cpu" prospect-train-bench --task navigation --device cuda
-expect 2 "task 'juggling': .*known: navigation" prospect-train-bench --task juggling
-expect 2 'not expected: --nonsense' prospect-train-bench --task navigation --nonsense
+expect 2 "device 'cuda': libtorch finds no GPU here; take --device cpu" prospect-train bench --task navigation --device cuda
+expect 2 "unknown task 'juggling'; known: navigation" prospect-train bench --task juggling
+expect 2 "unknown option '--nonsense'" prospect-train bench --task navigation --nonsense
 [ -z "$(find run -type f 2>/dev/null)" ] || fault "something was trained: $(find run -type f)"
 
 # --- The disk is full in the middle of a stage: what is there stays, and with room again it goes on.

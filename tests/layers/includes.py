@@ -4,7 +4,7 @@
   includes.py ROOT    prints a line a fault and ends with 1 if there is one
 
 What is allowed stands there in two blocks, and nowhere else:
-  ```rooms        "sim: base planner/tower.h": what a room may include, whole rooms or single headers; *: everything
+  ```rooms        "sim: base planner/tower.h": a room may include whole rooms, folders or headers; *: everything
   ```libraries    "opencv2: report": the rooms that may include <opencv2/...>; tests may all
 Faults are: an include that they do not allow, a room that they do not know, files that include each other in a circle, and
 rooms that do. What lcm-gen makes ("prospect/...") counts as lcmtypes.

@@ -54,6 +54,11 @@ class Faults(unittest.TestCase):
     def test_a_header_that_is_not_the_allowed_one(self):
         self.expect({"sim/plan.h": '#include "planner/search.h"\n'}, "sim/plan.h", "planner/search.h")
 
+    def test_a_folder_of_a_room(self):
+        picture = PICTURE.replace("planner/rules.h", "planner/rules.h planner/plain/")
+        self.assertEqual(self.faults({"sim/plan.h": '#include "planner/plain/a.h"\n', "planner/plain/a.h": ""}, picture), [])
+        self.assertIn("planner/plainer.h", self.faults({"sim/plan.h": '#include "planner/plainer.h"\n'}, picture)[0])
+
     def test_a_library_of_another_room(self):
         self.expect({"base/b.h": "#include <ode/ode.h>\n"}, "base/b.h", "is for sim only")
 

@@ -35,7 +35,7 @@ struct BusOptions {
   std::int64_t jitter_us = 100;
   double drop = 0;
   double repeat = 0;
-  // What a worker's thread needs, microseconds (measured: prospect-bench search).
+  // What a worker's thread needs, microseconds (measured: prospect bench overhead).
   double rollout_us = 8;
   double heard_us = 1;
   double message_us = 10;

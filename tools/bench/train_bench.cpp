@@ -75,7 +75,7 @@ struct Unit {
 // each freezes what the later ones do not train.
 class Bench {
  public:
-  Bench(const TrainBenchOptions& options, const model::TrainConfig& defaults)
+  Bench(const cli::BenchTrainOptions& options, const model::TrainConfig& defaults)
       : options_(options),
         defaults_(defaults),
         config_(Endless(defaults_)),
@@ -206,7 +206,7 @@ class Bench {
             {"seconds", seconds}};
   }
 
-  TrainBenchOptions options_;
+  cli::BenchTrainOptions options_;
   TemporaryFolder folder_;
   model::TrainConfig defaults_, config_;
   model::TrialFile file_;
@@ -218,7 +218,7 @@ class Bench {
 
 }  // namespace
 
-json BenchTraining(const TrainBenchOptions& options) {
+json BenchTraining(const cli::BenchTrainOptions& options) {
   // Refused before anything is made.
   model::TrainConfig defaults = model::TrainConfigFor(options.task);
   defaults.precision = options.precision;

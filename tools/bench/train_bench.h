@@ -2,17 +2,10 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
+
+#include "cli/commands/bench.h"
 
 namespace prospect::tools {
-
-struct TrainBenchOptions {
-  std::string task;  // its default configuration
-  std::string device = "cpu";
-  std::string precision = "float32";  // or "mixed"
-  int threads = 2;
-  double seconds = 5;  // about so long each stage is measured
-};
 
 // Takes real steps (forward, backward, optimizer) of every stage, by the code that trains, on
 // random trials in a temporary folder. Throws std::invalid_argument (task, device, precision) or
@@ -24,6 +17,6 @@ struct TrainBenchOptions {
 // backward (multiply-adds a sample), gflops, peak_share, busy_cores (processor time a second),
 // iterations (of the default configuration), minutes (that they take here), steps, seconds
 // (measured).
-nlohmann::json BenchTraining(const TrainBenchOptions& options);
+nlohmann::json BenchTraining(const cli::BenchTrainOptions& options);
 
 }  // namespace prospect::tools

@@ -29,10 +29,18 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSceneStream = 0x6d69786564ULL;
 constexpr char kMixed[] = "mixed";
 
-std::string PartsFolder(const CollectOptions& options) { return options.out + ".parts"; }
+std::string PartsFolder(const cli::CollectOptions& options) { return options.out + ".parts"; }
 
-std::string PartPath(const CollectOptions& options, std::uint64_t seed) {
+std::string PartPath(const cli::CollectOptions& options, std::uint64_t seed) {
   return PartsFolder(options) + "/trial_" + std::to_string(seed) + ".h5";
+}
+
+int TrialsOf(const cli::CollectOptions& options) { return options.trials.value_or(100); }
+
+sim::TaskOptions SceneOf(const cli::CollectOptions& options, std::uint64_t seed) {
+  sim::TaskOptions scene = SceneOptions(options.scenes, seed);
+  scene.image_noise = options.image_noise;
+  return scene;
 }
 
 int NumberOrRefuse(const std::string& name, const std::string& text) {
@@ -40,9 +48,9 @@ int NumberOrRefuse(const std::string& name, const std::string& text) {
   throw CollectUsageError("--" + name + " is '" + text + "': give a number or " + kMixed);
 }
 
-void CheckSeeds(const CollectOptions& options) {
-  const std::uint64_t last = options.seed + static_cast<std::uint64_t>(options.trials) - 1;
-  if (options.trials < 1 || options.seed > model::kLastCollectionSeed ||
+void CheckSeeds(const cli::CollectOptions& options) {
+  const std::uint64_t last = options.seed + static_cast<std::uint64_t>(TrialsOf(options)) - 1;
+  if (TrialsOf(options) < 1 || options.seed > model::kLastCollectionSeed ||
       last > model::kLastCollectionSeed) {
     throw CollectUsageError("trials have seeds " + std::to_string(options.seed) + " to " +
                             std::to_string(last) +
@@ -51,22 +59,25 @@ void CheckSeeds(const CollectOptions& options) {
 }
 
 // Refuses a bad task or scene before any process starts.
-std::string CheckedWorldVersion(const CollectOptions& options) {
+std::string CheckedWorldVersion(const cli::CollectOptions& options) {
   try {
-    return sim::MakeTask(options.task, SceneOptions(options, options.seed))->spec().world_version;
+    return sim::MakeTask(options.task, SceneOf(options, options.seed))->spec().world_version;
   } catch (const std::invalid_argument& error) {
     throw CollectUsageError(error.what());
   }
 }
 
 // What the parts of one folder have in common.
-json Manifest(const CollectOptions& options) {
-  return {{"task", options.task},       {"world_version", CheckedWorldVersion(options)},
-          {"objects", options.objects}, {"legs", options.legs},
-          {"tower", options.tower},     {"image_noise", options.image_noise}};
+json Manifest(const cli::CollectOptions& options) {
+  return {{"task", options.task},
+          {"world_version", CheckedWorldVersion(options)},
+          {"objects", options.scenes.objects},
+          {"legs", options.scenes.legs},
+          {"tower", options.scenes.tower},
+          {"image_noise", options.image_noise}};
 }
 
-void PrepareParts(const CollectOptions& options) {
+void PrepareParts(const cli::CollectOptions& options) {
   const fs::path folder = PartsFolder(options);
   const fs::path manifest_path = folder / "manifest.json";
   const json manifest = Manifest(options);
@@ -94,18 +105,18 @@ json Line(const model::Trial& trial, bool kept) {
           {"kept", kept}};
 }
 
-json CollectOne(const CollectOptions& options, std::uint64_t seed, SceneTasks* tasks) {
+json CollectOne(const cli::CollectOptions& options, std::uint64_t seed, SceneTasks* tasks) {
   const std::string path = PartPath(options, seed);
   if (fs::exists(path) && model::IsWholeTrialFile(path)) {
     return Line(model::TrialFile(path).ReadLabels(0), true);
   }
   const model::Trial trial =
-      RecordRandomTrial(tasks->Get(SceneOptions(options, seed)), seed, options.image_noise);
+      RecordRandomTrial(tasks->Get(SceneOf(options, seed)), seed, options.image_noise);
   model::WriteTrialFile(path, trial);
   return Line(trial, false);
 }
 
-std::function<std::string(int)> MakeWorker(const CollectOptions& options) {
+std::function<std::string(int)> MakeWorker(const cli::CollectOptions& options) {
   auto tasks = std::make_shared<SceneTasks>(options.task);
   return
       [options, tasks](int i) { return CollectOne(options, options.seed + i, tasks.get()).dump(); };
@@ -128,44 +139,43 @@ std::string SuccessShare(const CollectSummary& summary) {
          " % succeeded";
 }
 
-void Pack(const CollectOptions& options) {
+void Pack(const cli::CollectOptions& options) {
   std::vector<std::string> parts;
-  for (int i = 0; i < options.trials; ++i) parts.push_back(PartPath(options, options.seed + i));
+  for (int i = 0; i < TrialsOf(options); ++i) parts.push_back(PartPath(options, options.seed + i));
   model::PackTrialFiles(parts, options.out);
   if (!options.keep_parts) fs::remove_all(PartsFolder(options));
 }
 
 }  // namespace
 
-sim::TaskOptions SceneOptions(const CollectOptions& options, std::uint64_t seed) {
+sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_t seed) {
   base::Random random(base::MixSeeds({seed, kSceneStream}));
   const bool plain = random.Uniform() < 0.5;
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
-  scene.image_noise = options.image_noise;
-  scene.tower = options.tower;
-  scene.scene_file = options.scene_file;
-  scene.objects = options.objects != kMixed ? NumberOrRefuse("objects", options.objects)
-                                            : (plain ? 4 : any_objects);
-  if (options.legs != kMixed) {
-    scene.legs = NumberOrRefuse("legs", options.legs);
-    if (options.objects == kMixed) scene.objects = std::max(scene.objects, scene.legs);
+  scene.tower = scenes.tower;
+  scene.scene_file = scenes.scene_file;
+  scene.objects = scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects)
+                                           : (plain ? 4 : any_objects);
+  if (scenes.legs != kMixed) {
+    scene.legs = NumberOrRefuse("legs", scenes.legs);
+    if (scenes.objects == kMixed) scene.objects = std::max(scene.objects, scene.legs);
   } else if (!plain) {
     scene.legs = 3 + random.Below(std::min(5, scene.objects) - 2);
   }
   return scene;
 }
 
-CollectSummary Collect(const CollectOptions& options) {
+CollectSummary Collect(const cli::CollectOptions& options) {
   CheckSeeds(options);
   CheckedWorldVersion(options);  // before anything is written
   const base::Lock own = base::LockFolder(PartsFolder(options));
   PrepareParts(options);
   CollectSummary summary;
-  Progress progress("trials", options.trials);
+  Progress progress("trials", TrialsOf(options));
   const auto start = std::chrono::steady_clock::now();
   const Extent extent = ForkMap(
-      options.trials, options.jobs, [&] { return MakeWorker(options); },
+      TrialsOf(options), options.jobs, [&] { return MakeWorker(options); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &summary);
         progress.Step(SuccessShare(summary));

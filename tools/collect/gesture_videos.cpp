@@ -45,38 +45,28 @@ class Places {
   explicit Places(const std::string& out) : root_(fs::path(out) / kFolder) {}
 
   fs::path root() const { return root_; }
-  fs::path unfinished() const { return root_ / ".unfinished"; }
   fs::path manifest() const { return root_ / "simulated.json"; }
   fs::path meta() const { return root_ / "meta_file_Suturing.txt"; }
   fs::path readme() const { return root_.parent_path() / "README.txt"; }
   fs::path video(const std::string& trial, int eye) const {
-    return root_ / "video" / VideoName(trial, eye);
+    return root_ / "video" / ("Suturing_" + trial + "_capture" + std::to_string(eye) + ".avi");
   }
   fs::path transcription(const std::string& trial) const {
-    return root_ / "transcriptions" / TextName(trial);
-  }
-  fs::path unfinished_video(const std::string& trial, int eye) const {
-    return unfinished() / VideoName(trial, eye);
-  }
-  fs::path unfinished_text(const std::string& trial) const {
-    return unfinished() / TextName(trial);
+    return root_ / "transcriptions" / ("Suturing_" + trial + ".txt");
   }
 
  private:
-  static std::string VideoName(const std::string& trial, int eye) {
-    return "Suturing_" + trial + "_capture" + std::to_string(eye) + ".avi";
-  }
-  static std::string TextName(const std::string& trial) { return "Suturing_" + trial + ".txt"; }
-
   fs::path root_;
 };
 
-void CheckOptions(const GestureVideoOptions& options) {
-  if (options.trials < 1 || options.trials > kMostTrials) {
-    throw CollectUsageError("--trials is " + std::to_string(options.trials) +
+int TrialsOf(const cli::CollectOptions& options) { return options.trials.value_or(kMostTrials); }
+
+void CheckOptions(const cli::CollectOptions& options) {
+  if (TrialsOf(options) < 1 || TrialsOf(options) > kMostTrials) {
+    throw CollectUsageError("--trials is " + std::to_string(TrialsOf(options)) +
                             ": JIGSAWS has 39 suturing trials, give 1 to 39");
   }
-  if (options.seed + options.trials - 1 > kLastSeed || options.seed > kLastSeed) {
+  if (options.seed + TrialsOf(options) - 1 > kLastSeed || options.seed > kLastSeed) {
     throw CollectUsageError(
         "seeds of trials must lie in 0 to 999,999, later ones are kept for "
         "evaluation: give a smaller --seed");
@@ -89,7 +79,7 @@ void CheckOptions(const GestureVideoOptions& options) {
 // The surgeon of a trial: its user, B to I.
 int SurgeonOf(int i) { return GestureTrialName(i)[0] - 'B'; }
 
-sim::TaskOptions TaskOptionsOf(const GestureVideoOptions& options, int i) {
+sim::TaskOptions TaskOptionsOf(const cli::CollectOptions& options, int i) {
   sim::TaskOptions task;
   task.surgeon = SurgeonOf(i);
   task.frames_per_second = options.frames_per_second;
@@ -98,7 +88,7 @@ sim::TaskOptions TaskOptionsOf(const GestureVideoOptions& options, int i) {
 }
 
 // What all trials of a folder have in common.
-json Manifest(const GestureVideoOptions& options) {
+json Manifest(const cli::CollectOptions& options) {
   std::string world;
   try {
     world = sim::SuturingTask(TaskOptionsOf(options, 0)).spec().world_version;
@@ -116,7 +106,7 @@ json Manifest(const GestureVideoOptions& options) {
           {"image_noise", options.image_noise}};
 }
 
-void Prepare(const GestureVideoOptions& options, const Places& places) {
+void Prepare(const cli::CollectOptions& options, const Places& places) {
   const json manifest = Manifest(options);
   if (fs::exists(places.manifest())) {
     std::ifstream file(places.manifest());
@@ -135,8 +125,7 @@ void Prepare(const GestureVideoOptions& options, const Places& places) {
                             "--out");
   }
   std::error_code error;
-  for (const fs::path& folder :
-       {places.unfinished(), places.root() / "video", places.root() / "transcriptions"}) {
+  for (const fs::path& folder : {places.root() / "video", places.root() / "transcriptions"}) {
     fs::create_directories(folder, error);
     if (error) throw std::runtime_error("cannot write to " + folder.string());
   }
@@ -147,7 +136,7 @@ void Prepare(const GestureVideoOptions& options, const Places& places) {
 // One trial's task, videos and their names.
 class TrialMaker {
  public:
-  TrialMaker(const GestureVideoOptions& options, int i)
+  TrialMaker(const cli::CollectOptions& options, int i)
       : options_(options),
         places_(options.out),
         name_(GestureTrialName(i)),
@@ -171,20 +160,16 @@ class TrialMaker {
     videos_.clear();
     for (int eye = 1; eye <= (options_.right_eye ? 2 : 1); ++eye) {
       videos_.push_back(std::make_unique<report::VideoWriter>(
-          places_.unfinished_video(name_, eye).string(), options_.frames_per_second, options_.width,
+          places_.video(name_, eye).string(), options_.frames_per_second, options_.width,
           options_.height, report::VideoFormat::kMotionJpeg));
     }
     return PlayGestureTrial(&task_, seed_, attempt, [this](int frame) { Film(frame); });
   }
 
+  // The transcription last: a trial that has one is whole.
   void GiveNames(const GestureTrial& trial) {
     for (const auto& video : videos_) video->Finish();
-    base::WriteFile(places_.unfinished_text(name_), TranscriptionText(trial));
-    for (std::size_t i = 0; i < videos_.size(); ++i) {
-      const int eye = static_cast<int>(i) + 1;
-      fs::rename(places_.unfinished_video(name_, eye), places_.video(name_, eye));
-    }
-    fs::rename(places_.unfinished_text(name_), places_.transcription(name_));
+    base::WriteFile(places_.transcription(name_), TranscriptionText(trial));
   }
 
   void Film(int frame) {
@@ -198,7 +183,7 @@ class TrialMaker {
     }
   }
 
-  const GestureVideoOptions& options_;
+  const cli::CollectOptions& options_;
   Places places_;
   std::string name_;
   std::uint64_t seed_;
@@ -214,13 +199,13 @@ int KeptFrames(const Places& places, const std::string& name) {
   return whole ? report::FramesOfVideo(video.string()) : 0;
 }
 
-json MakeOrKeep(const GestureVideoOptions& options, int i) {
+json MakeOrKeep(const cli::CollectOptions& options, int i) {
   const int kept = KeptFrames(Places(options.out), GestureTrialName(i));
   if (kept > 0) return {{"kept", true}, {"frames", kept}, {"failures", json::array()}};
   return TrialMaker(options, i).Make();
 }
 
-void Add(const json& line, const GestureVideoOptions& options, GestureVideoSummary* summary) {
+void Add(const json& line, const cli::CollectOptions& options, GestureVideoSummary* summary) {
   ++summary->trials;
   summary->kept += line.at("kept").get<bool>();
   const int frames = line.at("frames");
@@ -250,27 +235,26 @@ std::string GestureTrialName(int i) {
   throw std::out_of_range("there are 39 suturing trials");
 }
 
-GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options) {
+GestureVideoSummary CollectGestureVideos(const cli::CollectOptions& options) {
   CheckOptions(options);
   Manifest(options);  // refuses bad options before anything is written
   const Places places(options.out);
   const base::Lock own = base::LockFolder(places.root().string());
   Prepare(options, places);
   GestureVideoSummary summary;
-  Progress progress("trials", options.trials);
+  Progress progress("trials", TrialsOf(options));
   const auto start = std::chrono::steady_clock::now();
   const auto make_worker = [&options] {
     report::UseOneThread();  // the processes share the work already
     return [&options](int i) { return MakeOrKeep(options, i).dump(); };
   };
   const Extent extent =
-      ForkMap(options.trials, options.jobs, make_worker, [&](int, const std::string& line) {
+      ForkMap(TrialsOf(options), options.jobs, make_worker, [&](int, const std::string& line) {
         Add(json::parse(line), options, &summary);
         progress.Step();
       });
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
-  base::WriteFile(places.meta(), MetaText(options.trials));
-  fs::remove_all(places.unfinished());
+  base::WriteFile(places.meta(), MetaText(TrialsOf(options)));
   summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/commands/collect.h"
+
 namespace prospect::tools {
 
 // Simulated suturing trials in the layout in which JIGSAWS is distributed (Gao et al. 2014):
@@ -18,20 +20,6 @@ namespace prospect::tools {
 // Names are those of JIGSAWS' 39 suturing trials: users B to I, five trials each, without H002.
 // Frames count from 1, both ends of a gesture belong to it, and each gesture begins on the frame
 // after the one before ends; the frames before the first and after the last have no label.
-
-struct GestureVideoOptions {
-  int trials = 39;             // 1 to 39
-  std::uint64_t seed = 0;      // trial i has seed + i; all must lie in 0..999,999
-  std::string out;             // folder
-  int frames_per_second = 15;  // a divisor of 30; JIGSAWS has 30
-  int width = 128;             // pixels; JIGSAWS has 640 x 480
-  int height = 96;
-  bool right_eye = false;  // write NAME_capture2.avi, too
-  bool failures = false;  // keep trials that fail; otherwise they are done again until they succeed
-  double image_noise = 0.01;
-  int jobs = 2;         // processes
-  bool resume = false;  // go on where an earlier, killed run of the same command stopped
-};
 
 struct GestureVideoSummary {
   int trials = 0;
@@ -47,6 +35,6 @@ std::string GestureTrialName(int i);
 
 // Writes all trials. A trial's files get their names when they are whole, the transcription last.
 // Throws CollectUsageError (collector.h) for options that do not fit, std::runtime_error (disk).
-GestureVideoSummary CollectGestureVideos(const GestureVideoOptions& options);
+GestureVideoSummary CollectGestureVideos(const cli::CollectOptions& options);
 
 }  // namespace prospect::tools

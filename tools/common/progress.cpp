@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/quiet.h"
+
 namespace prospect::tools {
 
 Progress::Progress(std::string what, int total)
@@ -15,11 +17,12 @@ Progress::Progress(std::string what, int total)
       printed_(start_) {}
 
 Progress::~Progress() {
-  if (terminal_ && done_ > 0) std::fputc('\n', stderr);
+  if (terminal_ && done_ > 0 && !base::Quiet()) std::fputc('\n', stderr);
 }
 
 void Progress::Step(const std::string& note) {
   ++done_;
+  if (base::Quiet()) return;
   const auto now = std::chrono::steady_clock::now();
   const auto period = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(30000);
   if (now - printed_ < period && done_ != total_) return;

@@ -6,7 +6,7 @@
 namespace prospect::tools {
 
 // A progress bar with the time left, on standard error: rewritten in place on a terminal; otherwise
-// a line without the bar every 30 seconds.
+// a line without the bar every 30 seconds. Nothing where the process is quiet (base/quiet.h).
 class Progress {
  public:
   // `what`: the counted things, plural; `total` > 0.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "tools/common/words.h"
 #include "tools/evaluate/simulated_world.h"
 
 namespace prospect::tools {
@@ -37,24 +38,17 @@ model::CalibrationScene SceneFrom(const SceneRecord& record) {
 }
 
 void Tell(const std::vector<std::string>& words) {
-  for (const std::string& sentence : words) std::cout << sentence << "\n";
+  for (const std::string& sentence : words) Words() << sentence << "\n";
 }
 
 }  // namespace
 
-void AddPromiseOptions(CLI::App* app, model::Promise* promise) {
-  const auto share = CLI::Range(0.0001, 0.9999);
-  app->add_option("--alpha,--refuse-at-most", promise->refuse_at_most,
-                  "Share of solvable scenes that may be refused: the threshold is chosen so; with "
-                  "--calibrate 0.05 if neither this nor --epsilon is given")
-      ->check(share);
-  app->add_option("--epsilon,--fail-at-most", promise->fail_at_most,
-                  "Share of attempted scenes that may fail: the threshold is chosen so")
-      ->check(share);
-  app->add_option("--delta", promise->delta,
-                  "--epsilon holds with probability 1 - delta over calibration samples")
-      ->check(share)
-      ->capture_default_str();
+model::Promise PromiseOf(const cli::PromiseOptions& options) {
+  model::Promise promise;
+  promise.refuse_at_most = options.refuse_at_most;
+  promise.fail_at_most = options.fail_at_most;
+  promise.delta = options.delta;
+  return promise;
 }
 
 model::CalibrationSample SampleFrom(const std::vector<SceneRecord>& scenes) {
@@ -124,13 +118,13 @@ double PromisedThresholdOf(const std::string& weights, const model::Promise& pro
   if (sample.empty()) {
     throw PromiseError(weights +
                        ": carries no calibration sample to choose a threshold by: make one with "
-                       "./prospect evaluate --calibrate");
+                       "./prospect evaluate calibrate");
   }
   const std::string not_covered = model::NotCovered(sample, kind);
   if (!not_covered.empty()) throw PromiseError("nothing can be promised: " + not_covered);
   const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
   Tell(promised.words);
-  if (!promised.kept) std::cout << model::CurveTable(sample);
+  if (!promised.kept) Words() << model::CurveTable(sample);
   if (!promised.may_attempt)
     throw PromiseError("nothing may be attempted: " + promised.words.back());
   return promised.value;

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "base/exit_error.h"
+#include "cli/options/promise.h"
 #include "model/calibration.h"
 #include "model/refusal/promise.h"
 #include "model/refusal/scene_kind.h"
@@ -14,8 +15,8 @@
 
 namespace prospect::tools {
 
-// --alpha (--refuse-at-most), --epsilon (--fail-at-most), --delta.
-void AddPromiseOptions(CLI::App* app, model::Promise* promise);
+// What a command line asks for.
+model::Promise PromiseOf(const cli::PromiseOptions& options);
 
 // How the planner's row fared, as a calibration keeps it; scenes solved at the start are left out.
 // The records were made with nothing refused. Throws std::invalid_argument where one lacks the
@@ -45,12 +46,12 @@ model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
 // No threshold of these weights keeps what was asked for, or they carry no calibration sample.
 class PromiseError : public ExitError {
  public:
-  explicit PromiseError(const std::string& message) : ExitError(kExitRefusal, message) {}
+  explicit PromiseError(const std::string& what) : ExitError(kExitRefusal, what) {}
 };
 
 // The threshold that the sample stored with the weights gives for `promise` in scenes of this kind;
-// tells why on standard output, with the curve where not all of it can be kept. Throws
-// PromiseError, model::WeightsError.
+// tells why on Words() (tools/common/words.h), with the curve where not all of it can be kept.
+// Throws PromiseError, model::WeightsError.
 double PromisedThresholdOf(const std::string& weights, const model::Promise& promise,
                            const model::SceneKind& kind);
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "agent/phase_clock.h"
+#include "base/seconds_since.h"
 #include "planner/model_source.h"
 #include "planner/search.h"
 #include "tools/evaluate/crew_search.h"
@@ -18,7 +19,7 @@ agent::SearchAnswer LocalMind::Search(const agent::SearchQuestion& question) {
   const auto since = agent::PhaseClock::Now();
   present_ = question.present.picture.rgb;
   agent::SearchAnswer answer = Find(question);
-  answer.seconds = agent::PhaseClock::SecondsSince(since);
+  answer.seconds = base::SecondsSince(since);
   return answer;
 }
 

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "model/novelty.h"
 #include "model/weights.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
@@ -61,6 +63,14 @@ inline void RequireWeightsOf(const std::string& task, const std::string& weights
   if (made_for == task) return;
   throw model::WeightsError(weights + ": was trained for task '" + made_for + "', not for '" +
                             task + "': give --weights of that task");
+}
+
+// Tells on standard error where the weights hold nothing of known pictures.
+inline void WarnWithoutNovelty(const std::string& weights) {
+  if (model::NoveltyGauge::Load(weights)) return;
+  std::cerr << weights
+            << " holds nothing of known pictures: none is refused as unlike them (./prospect "
+               "evaluate novelty)\n";
 }
 
 }  // namespace prospect::tools

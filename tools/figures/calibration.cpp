@@ -94,7 +94,8 @@ void DrawPanel(Canvas* sheet, int x, int y, const model::Judgements& judgements)
   const double base = model::BaseRate(judgements);
   sheet->Centered(plot.X(0.5), below,
                   "Brier " + base::Number("%.3f", model::BrierScore(judgements)) +
-                      base::Number(" (base rate %.2f", base) + base::Number(": %.3f)", base * (1 - base)),
+                      base::Number(" (base rate %.2f", base) +
+                      base::Number(": %.3f)", base * (1 - base)),
                   {0.4, kInk, false});
   sheet->Centered(plot.X(0.5), below + 18,
                   std::to_string(judgements.size()) + " judgements, calibration error " +

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "report/heat_map.h"
 #include "base/number_format.h"
+#include "report/heat_map.h"
 #include "tools/evaluate/engine_model.h"
 #include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"
@@ -113,7 +113,8 @@ std::string Caption(const SceneFutures& scene, const planner::SearchParameters& 
          "will succeed from "
          "there; f, where below 0.5: that the action got done. Red frame: the future fails there "
          "and is not followed further (" +
-         base::Number("V < %.2f or ", parameters.v_failed) + base::Number("f < %.2f", parameters.c_done) +
+         base::Number("V < %.2f or ", parameters.v_failed) +
+         base::Number("f < %.2f", parameters.c_done) +
          "), or its score at the end, V times f along the way, is below the refusal threshold of " +
          base::Number("%.2f", parameters.refusal_threshold) +
          ". The scene is the first in random order in which futures end both ways, if there is "

@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
+#include "base/number_format.h"
 #include "base/random.h"
 #include "report/heat_map.h"
 #include "report/image_edit.h"
-#include "base/number_format.h"
 #include "tools/figures/imagined.h"
 
 namespace prospect::figures {
@@ -155,8 +155,8 @@ Page DrawReconstructions(const std::vector<sim::Image>& pictures, const LoadedMo
     const sim::Image again = own.paint(picture, h, {h}).front();
     sheet.Picture(x, y, picture, factor);
     sheet.Picture(x, y + height + 4, again, factor);
-    sheet.Text(x, y + 2 * height + 7, "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, again)),
-               kSmallStyle);
+    sheet.Text(x, y + 2 * height + 7,
+               "MAE " + base::Number("%.4f", MeanAbsoluteError(picture, again)), kSmallStyle);
     x += width + kGap;
   }
   return Finish(&sheet, y + 2 * height + 26, "reconstructions.png",

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "report/heat_map.h"
 #include "base/number_format.h"
+#include "report/heat_map.h"
 #include "tools/evaluate/engine_model.h"
 #include "tools/figures/cells.h"
 #include "tools/figures/imagined.h"

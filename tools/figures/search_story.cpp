@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "planner/search.h"
 #include "base/number_format.h"
+#include "planner/search.h"
 #include "tools/figures/cells.h"
 
 namespace prospect::figures {

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <set>
 
+#include "base/number_format.h"
 #include "base/text.h"
 #include "model/training/variants.h"
 #include "report/heat_map.h"
 #include "report/image_edit.h"
-#include "base/number_format.h"
 #include "tools/figures/imagined.h"
 
 namespace prospect::figures {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/jigsaws/hold_out.h"
+#include "tools/common/extent.h"
 
 namespace prospect::tools {
 
@@ -27,7 +28,7 @@ struct JigsawsReport {
 // set, trial by trial, in memory that does not grow. A trial that cannot be used is left out, one
 // that can be put right is repaired, each with one line to `say`. Throws model::DataError if no
 // trial is left, model::DiskError, std::invalid_argument as model::jigsaws::AssignParts does,
-// Interrupted once `*stop` is set.
+// Interrupted (tools/common/extent.h) once `*stop` is set.
 JigsawsReport ConvertJigsaws(const JigsawsOptions& options,
                              const std::function<void(const std::string&)>& say,
                              const std::atomic<bool>* stop);

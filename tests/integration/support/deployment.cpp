@@ -31,9 +31,12 @@ Process& Deployment::Executive(const std::vector<std::string>& more, int seed) {
   // An option may be given only once, so what a test says takes the place of the usual.
   const std::pair<const char*, const char*> usual[] = {
       {"--objects", "7"}, {"--legs", "3"}, {"--samples", "150"}};
+  const auto given = [&more](const char* option) {
+    return std::find(more.begin(), more.end(), option) != more.end();
+  };
   for (const auto& [option, value] : usual) {
-    if (std::find(more.begin(), more.end(), option) == more.end())
-      arguments.insert(arguments.end(), {option, value});
+    const bool other_world = given("--tower") && option != std::string("--samples");
+    if (!given(option) && !other_world) arguments.insert(arguments.end(), {option, value});
   }
   return Start("prospect-executive", arguments, more);
 }

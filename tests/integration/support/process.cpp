@@ -5,11 +5,16 @@
 namespace prospect::tests {
 namespace {
 
+std::string PathOf(const std::string& program) {
+  if (program.front() == '/') return program;
+  const bool in_bin = program.find('/') == std::string::npos;
+  return std::string(in_bin ? PROSPECT_BIN : PROSPECT_BUILD) + "/" + program;
+}
+
 base::ChildProcess Start(const std::string& program, const std::vector<std::string>& arguments,
                          const std::string& log) {
-  const bool absolute = program.front() == '/';
   base::ChildOptions options;
-  options.command = {absolute ? program : std::string(PROSPECT_BIN) + "/" + program};
+  options.command = {PathOf(program)};
   options.command.insert(options.command.end(), arguments.begin(), arguments.end());
   const base::Descriptor output = base::OpenOutput(log);
   options.out = options.err = output.get();

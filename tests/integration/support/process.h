@@ -11,7 +11,8 @@ namespace prospect::tests {
 /// scope, so that a failed test leaves nothing behind. One thread.
 class Process {
  public:
-  /// @param program name in the build's bin folder, such as "prospect-worker", or an absolute path
+  /// @param program name in the build's bin folder, such as "prospect-worker"; a path in the build
+  /// folder, such as "examples/example-robot"; or an absolute path
   /// @param log file for stdout and stderr
   Process(const std::string& program, const std::vector<std::string>& arguments,
           const std::string& log);

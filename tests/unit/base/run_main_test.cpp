@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <string>
 
 #include "base/disk_error.h"
 #include "base/lock.h"
@@ -36,6 +39,17 @@ TEST(RunMain, UsageAndFileSystemHaveCodesEverywhere) {
 TEST(RunMain, OthersAreTheProgramsOwn) {
   EXPECT_EQ(CodeOf(std::runtime_error("else")), 1);
   EXPECT_EQ(CodeOf(std::runtime_error("else"), kExitWeights), 10);
+}
+
+// Scripts are written by that table.
+TEST(ExitCodes, StandInTheTableOfTheDocs) {
+  std::ifstream in(PROSPECT_ROOT "/docs/architecture.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  for (const int code : {kExitSuccess, kExitUnexpected, kExitUsage, kExitRefusal, kExitTaskFailure,
+                         kExitTolerance, kExitWeights, kExitBus, kExitBusInUse, kExitDisk,
+                         kExitDataFile, kExitServiceLost, kExitTimeout, kExitInterrupted}) {
+    EXPECT_NE(page.find("| " + std::to_string(code) + " | "), std::string::npos) << code;
+  }
 }
 
 TEST(RunMain, TellsBehindThePrefix) {

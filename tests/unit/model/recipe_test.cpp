@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cli/commands/train.h"
 #include "model/training/config_choices.h"
 #include "model/training/variants.h"
 
@@ -29,7 +30,7 @@ TEST(Recipe, PaperIsAllStepsLeftOutAndTrainsTAsOften) {
     const TrainConfig own = TrainConfigFor(task);
     TrainConfig paper = own, one_by_one = own;
     ApplyRecipe("paper", &paper);
-    for (const RecipeStep& step : RecipeSteps()) LeaveOut(step.name, &one_by_one);
+    for (const std::string& step : RecipeSteps()) LeaveOut(step, &one_by_one);
     EXPECT_EQ(json(paper), json(one_by_one));
     Validate(paper);
     EXPECT_EQ(paper.transform_hidden.iterations, 0);
@@ -53,14 +54,22 @@ TEST(Recipe, EveryStepIsTakenBySomeConfigurationAndLeavingItOutTwiceIsOnce) {
   TrainConfig all = TrainConfigFor("navigation");
   all.picture_weight = 100, all.gain_weight = 0.1, all.inside_weight = 0.1, all.linked_from = 1;
   all.network.transform_action = "scale_and_shift", all.network.transform_mask = true;
-  for (const RecipeStep& step : RecipeSteps()) {
+  for (const std::string& step : RecipeSteps()) {
     TrainConfig config = all;
-    LeaveOut(step.name, &config);
-    EXPECT_NE(json(config), json(all)) << step.name;
+    LeaveOut(step, &config);
+    EXPECT_NE(json(config), json(all)) << step;
     const json once = config;
-    LeaveOut(step.name, &config);
-    EXPECT_EQ(json(config), once) << step.name;
+    LeaveOut(step, &config);
+    EXPECT_EQ(json(config), once) << step;
   }
+}
+
+// What the command line explains is what there is.
+TEST(Recipe, TheCommandLineKnowsEveryStepAndVariant) {
+  EXPECT_EQ(cli::RecipeStepNames(), RecipeSteps());
+  std::vector<std::string> variants;
+  for (const Variant& variant : Variants()) variants.push_back(variant.name);
+  EXPECT_EQ(cli::VariantNames(), variants);
 }
 
 TEST(Recipe, UnknownNamesSayWhatIsKnown) {
@@ -110,7 +119,7 @@ TEST(ConfigChoices, WhicheverMeetEveryNumberIsFiniteAndInRange) {
           choices.task = task;
           choices.changes = json::parse(change);
           choices.variant = VariantName(variant);
-          if (step > 0) choices.without = {RecipeSteps()[step - 1].name};
+          if (step > 0) choices.without = {RecipeSteps()[step - 1]};
           for (const std::int64_t iterations :
                {0L, 1L, 1'000'000'000L, 9'000'000'000'000'000'000L}) {
             choices.iterations = iterations;

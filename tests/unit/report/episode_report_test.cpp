@@ -8,10 +8,6 @@ namespace {
 
 using namespace agent;
 
-bool Holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 StepRecord Step(const std::string& name, double score) {
   StepRecord step;
   step.action = 1;

@@ -11,24 +11,9 @@
 #include "report/html.h"
 
 namespace prospect::report {
-
-using namespace agent;
-
 namespace {
 
 using namespace agent;
-
-constexpr model::Novelty kForeign{0.002, 0.051, 0.02, 3.25, 1.2, 1.0, 1.3};
-
-bool Holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-Picture Plain(int width, int height, std::uint8_t value) {
-  Picture picture{width, height, {}};
-  picture.rgb.assign(static_cast<std::size_t>(width) * height * 3, value);
-  return picture;
-}
 
 // Tags that are not closed in their order, one a line; empty when the page is well formed.
 std::string TagDefects(const std::string& page) {
@@ -270,25 +255,6 @@ TEST(ExplanationPicturesTest, OneFileAPlanAndNoneOfAnEarlierOne) {
   EXPECT_FALSE(std::filesystem::exists(folder / "what-if.png"));
   std::filesystem::remove_all(folder);
   EXPECT_THROW(WriteExplanationPictures(Acting(), folder), std::runtime_error);
-}
-
-TEST(ExplanationPageTest, TellsWhetherThePictureIsKnown) {
-  Explanation explanation;
-  explanation.reason = model::NoveltyRefusal(kForeign);
-  explanation.ended_by = "samples";
-  EXPECT_FALSE(Holds(ExplanationPage(explanation), "known ones"));
-  Familiarity familiarity;
-  familiarity.novelty = kForeign;
-  familiarity.seen = familiarity.redrawn = Plain(2, 2, 9);
-  explanation.familiarity = familiarity;
-  const std::string page = ExplanationPage(explanation);
-  EXPECT_TRUE(Holds(page, "The picture is unlike known ones"));
-  EXPECT_TRUE(Holds(page, "99 % of known pictures stay below 0.020"));
-  if (PROSPECT_PICTURES) {
-    EXPECT_TRUE(Holds(page, "Where the two differ"));
-  }
-  explanation.familiarity->novelty.p = 0.5;
-  EXPECT_TRUE(Holds(ExplanationPage(explanation), "The picture is like known ones (p 0.5)."));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/json_file.h"
+#include "cli/options/bus.h"
 #include "services/common/bus_url.h"
 #include "services/common/channels.h"
 #include "services/common/clock.h"
@@ -56,9 +57,9 @@ TEST(BusUrl, OptionBeforeEnvironmentBeforeDefault) {
   EXPECT_EQ(ResolveBusUrl("tcpq://host:1"), "tcpq://host:1");
   EXPECT_EQ(ResolveBusUrl(""), "memq://");
   setenv("LCM_DEFAULT_URL", "", 1);
-  EXPECT_EQ(ResolveBusUrl(""), kDefaultBusUrl);
+  EXPECT_EQ(ResolveBusUrl(""), prospect::cli::kDefaultBusUrl);
   unsetenv("LCM_DEFAULT_URL");
-  EXPECT_EQ(ResolveBusUrl(""), kDefaultBusUrl);
+  EXPECT_EQ(ResolveBusUrl(""), prospect::cli::kDefaultBusUrl);
 }
 
 TEST(BusUrl, UdpGetsAReceiveBuffer) {
@@ -69,7 +70,7 @@ TEST(BusUrl, UdpGetsAReceiveBuffer) {
 }
 
 TEST(BusUrl, AdviceNamesTheCommand) {
-  EXPECT_NE(BusAdvice(kDefaultBusUrl).find("ip route add 224.0.0.0/4 dev lo"), std::string::npos);
+  EXPECT_NE(BusAdvice(prospect::cli::kDefaultBusUrl).find("ip route add 224.0.0.0/4 dev lo"), std::string::npos);
   EXPECT_NE(BusAdvice("foo://").find("udpm://"), std::string::npos);
   EXPECT_EQ(ReceiveBufferWarning("memq://"), "");
   if (ReceiveBufferLimit() > 0) {

@@ -44,6 +44,9 @@ TEST(DeploymentSpec, SaysHowEachServiceIsStarted) {
   EXPECT_EQ(SimulatorSpec(spec).command,
             (std::vector<std::string>{"/bin/prospect-simulator", "--bus", "udpm://x", "--chaos",
                                       "drop=0.5,seed=3", "--task", "stacking", "--tower", "3"}));
+  spec.player = true;
+  EXPECT_EQ(SimulatorSpec(spec).command[0], "/bin/prospect-video");
+  EXPECT_EQ(SimulatorSpec(spec).command[1], "play");
   EXPECT_EQ(ModelSpec(spec).command.back(), "w.safetensors");
   EXPECT_EQ(WorkerSpec(spec, 2).name, "worker-2");
   spec.chaos.clear();

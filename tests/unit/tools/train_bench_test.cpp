@@ -90,7 +90,7 @@ class TemporaryFilesIn {
 TEST(TrainBench, MeasuresEveryStage) {
   const model::TestFolder folder;
   const TemporaryFilesIn here(folder.path());
-  TrainBenchOptions options;
+  cli::BenchTrainOptions options;
   options.task = "navigation";
   options.seconds = 0;  // the fewest steps
   const nlohmann::json figures = BenchTraining(options);
@@ -117,7 +117,7 @@ TEST(TrainBench, MeasuresEveryStage) {
 }
 
 TEST(TrainBench, AnUnknownTaskOrPrecisionIsRefused) {
-  TrainBenchOptions options;
+  cli::BenchTrainOptions options;
   options.task = "navigation";
   options.precision = "double";
   EXPECT_THROW(BenchTraining(options), std::invalid_argument);

@@ -1,0 +1,96 @@
+#include "cli/commands/deployment.h"
+
+#include "cli/values.h"
+
+namespace prospect::cli {
+namespace {
+
+bool HasSize(const SceneOptions& scene) {
+  return scene.objects > 0 || scene.legs > 0 || scene.tower > 0;
+}
+
+// The first that says something.
+std::string First(std::string a, std::string b) { return a.empty() ? b : a; }
+
+std::string NoResetDefect(bool reset, const SceneOptions& scene) {
+  if (reset || !HasSize(scene)) return "";
+  return "--no-reset takes the scene as it is: leave out --objects, --legs and --tower";
+}
+
+}  // namespace
+
+void Define(CLI::App& app, DemoOptions& options) {
+  DefineEpisode(app, options.episode);
+  DefineSceneFile(app, options.episode.scene);
+  DefineActing(app, options.acting);
+  DefineStart(app, options.start);
+  DefineBus(app, options.episode.bus);
+}
+
+std::string Defect(const DemoOptions& options) {
+  const std::string& task = options.episode.task;
+  if (task == "knot_tying" || task == "needle_passing")
+    return "only suturing has a simulated scene: for a video of " + task +
+           ", ./prospect up --task " + task + " --video FILE, then ./prospect predict";
+  return First(EpisodeDefect(options.episode), StartDefect(options.start, task));
+}
+
+void Define(CLI::App& app, ExplainOptions& options) {
+  DefineEpisode(app, options.episode);
+  DefineSceneFile(app, options.episode.scene);
+  DefineWhatIf(app, options.what_if);
+  DefineNoReset(app, options.reset);
+  DefineStart(app, options.start);
+  DefineBus(app, options.episode.bus);
+}
+
+std::string Defect(const ExplainOptions& options) {
+  const EpisodeOptions& episode = options.episode;
+  const std::string wrong =
+      First(EpisodeDefect(episode), NoResetDefect(options.reset, episode.scene));
+  return episode.task.empty() ? wrong : First(wrong, StartDefect(options.start, episode.task));
+}
+
+void Define(CLI::App& app, UpOptions& options) {
+  DefineTask(app, options.task, Tasks::kAll);
+  DefineScene(app, options.scene);
+  app.add_option("--workers", options.workers, "planner workers")
+      ->type_name("N")
+      ->transform(Whole(1, 1024))
+      ->default_str("2; none where gestures are only predicted");
+  DefineStart(app, options.start);
+  app.add_option("--video", options.video,
+                 "play it in the simulator's place: suturing, knot_tying or needle_passing")
+      ->type_name("FILE");
+  app.add_option("--transcription", options.transcription, "its gestures, as in JIGSAWS")
+      ->type_name("FILE")
+      ->needs("--video");
+  app.add_flag("!--no-simulator", options.simulator, "a robot takes the simulator's place");
+  app.add_flag("--foreground", options.foreground, "stay here; Ctrl-C stops everything");
+  DefineReport(app, options.report);
+  DefineBus(app, options.bus);
+}
+
+std::string Defect(const UpOptions& options) {
+  const bool planned = options.task == "stacking" || options.task == "navigation";
+  if (planned && !options.video.empty())
+    return "--video is for suturing, knot_tying and needle_passing";
+  if (!planned && options.task != "suturing" && options.video.empty())
+    return "only suturing has a simulated scene: give --video FILE for " + options.task;
+  return First(SceneDefect(options.scene, options.task), StartDefect(options.start, options.task));
+}
+
+void Define(CLI::App& app, RunOptions& options) {
+  DefineEpisode(app, options.episode);
+  DefineSceneFile(app, options.episode.scene);
+  DefineActing(app, options.acting);
+  DefineNoReset(app, options.reset);
+  DefineWeights(app, options.weights);
+  DefineBus(app, options.episode.bus);
+}
+
+std::string Defect(const RunOptions& options) {
+  return First(EpisodeDefect(options.episode), NoResetDefect(options.reset, options.episode.scene));
+}
+
+}  // namespace prospect::cli

@@ -1,0 +1,27 @@
+#include "cli/commands/executive.h"
+
+#include <CLI/CLI.hpp>
+
+namespace prospect::cli {
+
+void Define(CLI::App& app, ExecutiveOptions& options) {
+  DefineEpisode(app, options.episode);
+  DefineActing(app, options.acting);
+  DefineNoReset(app, options.reset);
+  app.add_option("--world", options.world,
+                 "the world_version that TASK must have, as prospect-simulator --check says it")
+      ->type_name("HASH");
+  app.add_flag("--explain-only", options.explain_only,
+               "search once, tell why, and carry nothing out");
+  DefineWhatIf(app, options.what_if);
+  app.get_option("--what-if")->needs("--explain-only");
+  DefineProcess(app, options.episode.bus);
+}
+
+std::string Defect(const ExecutiveOptions& options) {
+  if (options.explain_only && options.acting.policy != "search")
+    return "--explain-only needs --policy search";
+  return "";
+}
+
+}  // namespace prospect::cli

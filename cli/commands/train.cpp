@@ -1,0 +1,151 @@
+#include "cli/commands/train.h"
+
+#include <algorithm>
+
+#include "cli/options/common.h"
+#include "cli/values.h"
+
+namespace prospect::cli {
+namespace {
+
+struct Word {
+  const char* name;
+  const char* what;
+};
+
+constexpr Word kVariants[] = {
+    {"naive", "one step, L1"},
+    {"l1", "two linked steps, L1"},
+    {"l1+0.01c", "and C's cross-entropy on the second picture, times 0.01"},
+    {"l1+0.001c", "times 0.001"},
+    {"no-skips", "L1+0.001C without T's skip connection"},
+    {"cgan", "two linked steps, L1 and the judge of pix2pix"},
+    {"wgan", "two linked steps, L1 and a Wasserstein judge, by RMSProp"},
+    {"u-net", "L1+0.001C with strided convolutions for the soft argmax"},
+};
+
+constexpr Word kSteps[] = {
+    {"views", "pictures turned, or as if from other cameras"},
+    {"focus", "pixels that differ from the mean picture weigh more"},
+    {"landmarks", "where things are is read from C, encodings and T's states"},
+    {"gain", "the decoder paints all pictures in one light"},
+    {"encodings", "T first learns the encodings of the goal pictures; without, pictures only"},
+    {"links", "more than two transforms trained one after another"},
+    {"growth", "T begins with fewer linked transforms"},
+    {"actions", "every layer of T is told the action, not its bottleneck alone"},
+    {"mask", "T keeps numbers of the state it began from where a mask says so"},
+    {"pictures", "the picture loss of T outweighs landmarks and f"},
+    {"done", "a head like f on T's states, passed on to T"},
+    {"imagined", "V, Q, p and f learn on imagined states, too"},
+    {"inside", "f's frames shortly before an action ends weigh less"},
+    {"composing", "imagined pictures keep what was seen where nothing changes"},
+};
+
+// A paragraph below the options, a line a word.
+template <std::size_t N>
+std::string Listed(std::string title, const Word (&words)[N]) {
+  for (const Word& word : words) {
+    std::string name = word.name;
+    name.resize(std::max<std::size_t>(name.size(), 10), ' ');
+    title += "\n  " + name + "  " + word.what;
+  }
+  return title + "\n";
+}
+
+template <std::size_t N>
+std::vector<std::string> NamesOf(const Word (&words)[N]) {
+  std::vector<std::string> names;
+  for (const Word& word : words) names.push_back(word.name);
+  return names;
+}
+
+// What changes the task's own configuration.
+void DefineConfiguration(CLI::App& app, TrainOptions& options) {
+  app.add_option("--iterations", options.iterations,
+                 "iterations of the transform network; the other stages scale with it")
+      ->type_name("N")
+      ->transform(Whole(1, 1'000'000'000));
+  app.add_option("--variant", options.variant, "a row of the paper's comparison; see below")
+      ->type_name("NAME")
+      ->check(OneOf(VariantNames()));
+  app.add_option("--recipe", options.recipe,
+                 "best: what a task turns on beyond the paper; paper: none of it, T updated as "
+                 "often")
+      ->type_name("NAME")
+      ->check(OneOf({"paper", "best"}))
+      ->capture_default_str();
+  app.add_option("--without", options.without,
+                 "leave these steps beyond the paper out, where the task takes them; see below")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->check(OneOf(RecipeStepNames()));
+  app.add_flag("--finetune", options.finetune,
+               "let encoder and decoder learn on with the transform network");
+  app.add_option("--seed", options.seed, "of first weights, batches and dropout")
+      ->type_name("N")
+      ->transform(Whole(0, 999'999'999'999'999'999));
+  app.add_option("--config", options.config,
+                 "JSON with what to change of the configuration (see --print-config)")
+      ->type_name("FILE");
+  app.add_option("--precision", options.precision,
+                 "mixed: convolutions in 16-bit bfloat, about twice as fast on CUDA and on "
+                 "processors with AVX512-BF16")
+      ->type_name("NAME")
+      ->check(OneOf({"float32", "mixed"}));
+  app.add_option("--labels", options.labels,
+                 "what V, Q, p and f are taught: paper, or authors: as their code does it")
+      ->type_name("NAME")
+      ->check(OneOf({"paper", "authors"}));
+  app.add_flag("--print-config", options.print_config, "print the configuration and stop");
+}
+
+// Where a run begins and what of it is done.
+void DefineRun(CLI::App& app, TrainOptions& options) {
+  app.add_option("--device", options.device, "what computes")
+      ->type_name("NAME")
+      ->check(OneOf({"cpu", "cuda"}))
+      ->capture_default_str();
+  DefineThreads(app, options.threads);
+  app.add_option("--from", options.from, "begin from these weights")->type_name("FILE");
+  app.add_option("--fresh", options.fresh,
+                 "with --from: networks of these stages (as of --stage) begin from random weights "
+                 "all the same")
+      ->type_name("NAMES")
+      ->delimiter(',');
+  app.add_option(
+         "--stage", options.stages,
+         "only these stages: classifier, second-classifier, encoder-decoder, transform, heads")
+      ->type_name("NAMES");
+  app.add_option("--score", options.score,
+                 "train nothing: score this weights file, and the classifiers' file beside it, on "
+                 "the data's held-out trials")
+      ->type_name("FILE");
+  app.add_option("--bundle", options.bundle,
+                 "copy the weights into this folder, too, without C, which only training needs")
+      ->type_name("DIR");
+}
+
+}  // namespace
+
+std::vector<std::string> VariantNames() { return NamesOf(kVariants); }
+std::vector<std::string> RecipeStepNames() { return NamesOf(kSteps); }
+
+void Define(CLI::App& app, TrainOptions& options) {
+  DefineTask(app, options.task, Tasks::kAll);
+  app.add_option("--data", options.data, "data set made by collect (HDF5)")->type_name("FILE");
+  DefineOut(app, options.out,
+            "folder for checkpoints and caches; weights and curves.csv go there, too, with "
+            "--variant into a folder of that name inside");
+  DefineConfiguration(app, options);
+  DefineRun(app, options);
+  DefineReport(app, options.report);
+  app.footer(Listed("Rows of the paper's comparison (--variant):", kVariants) + "\n" +
+             Listed("Steps beyond the paper (--without):", kSteps));
+}
+
+std::string Defect(const TrainOptions& options) {
+  const bool lacks = options.data.empty() || options.out.empty();
+  return lacks && !options.print_config ? "--data and --out are required" : "";
+}
+
+}  // namespace prospect::cli

@@ -1,8 +1,0 @@
-if(NOT TARGET prospect_sim)
-  return()
-endif()
-find_package(nlohmann_json 3 REQUIRED)
-find_package(CLI11 REQUIRED)
-add_executable(prospect-sim-bench ${CMAKE_CURRENT_SOURCE_DIR}/bench_sim.cpp)
-prospect_target(prospect-sim-bench)
-target_link_libraries(prospect-sim-bench PRIVATE prospect_sim nlohmann_json::nlohmann_json CLI11::CLI11)

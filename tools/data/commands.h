@@ -1,0 +1,19 @@
+#pragma once
+
+#include "cli/commands/collect.h"
+#include "cli/commands/dataset.h"
+
+namespace prospect::tools {
+
+// What prospect-data carries out. Each returns the exit code; throws ExitError,
+// std::invalid_argument.
+
+/// Records random trials of a task as a data set. May be killed at any time; --resume goes on.
+int RunCollect(const cli::CollectOptions& options);
+
+int RunInfo(const cli::DatasetInfoOptions& options);
+int RunPack(const cli::DatasetPackOptions& options);
+int RunSheet(const cli::DatasetSheetOptions& options);
+int RunJigsaws(const cli::DatasetJigsawsOptions& options);
+
+}  // namespace prospect::tools

@@ -1,0 +1,81 @@
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/quiet.h"
+#include "cli/report_file.h"
+#include "model/dataset.h"
+#include "report/png.h"
+#include "tools/data/commands.h"
+#include "tools/dataset/apart.h"
+#include "tools/dataset/info.h"
+#include "tools/dataset/sheet.h"
+
+namespace prospect::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files as named; of folders every *.h5 inside.
+std::vector<std::string> Expand(const std::vector<std::string>& inputs) {
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    if (!fs::is_directory(input)) {
+      files.push_back(input);
+      continue;
+    }
+    for (const auto& entry : fs::directory_iterator(input)) {
+      const bool hidden = entry.path().filename().string().front() == '.';  // half written
+      if (!hidden && entry.path().extension() == ".h5") files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
+
+model::PackChoice ChoiceOf(const cli::DatasetPackOptions& options) {
+  static const std::map<std::string, model::Split> splits = {{"train", model::Split::kTrain},
+                                                             {"valid", model::Split::kValid},
+                                                             {"test", model::Split::kTest}};
+  model::PackChoice choice;
+  if (!options.split.empty()) choice.split = splits.at(options.split);
+  if (options.trials > 0) choice.most = static_cast<std::size_t>(options.trials);
+  return choice;
+}
+
+}  // namespace
+
+int RunInfo(const cli::DatasetInfoOptions& options) {
+  const auto work = [&] {
+    const DataSetInfo info = Inspect(model::TrialFile(options.file));
+    if (options.report.talks()) PrintInfo(info, stdout);
+    cli::WriteReport(options.report, InfoJson(info));
+    return 0;
+  };
+  return RunApart(work, "");
+}
+
+int RunPack(const cli::DatasetPackOptions& options) {
+  const auto work = [&] {
+    const std::size_t trials =
+        model::PackTrialFiles(Expand(options.inputs), options.out, ChoiceOf(options));
+    if (!base::Quiet()) std::printf("%zu trials in %s\n", trials, options.out.c_str());
+    return 0;
+  };
+  return RunApart(work, options.out);
+}
+
+int RunSheet(const cli::DatasetSheetOptions& options) {
+  const auto work = [&] {
+    const auto rows = static_cast<std::size_t>(options.rows);
+    report::WritePng(options.out, ContactSheet(model::TrialFile(options.file), rows, options.seed));
+    if (!base::Quiet())
+      std::printf("%s: a trial a row, the first picture of each action, and the last\n",
+                  options.out.c_str());
+    return 0;
+  };
+  return RunApart(work, options.out);
+}
+
+}  // namespace prospect::tools

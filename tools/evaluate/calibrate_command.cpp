@@ -1,0 +1,105 @@
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/report_file.h"
+#include "model/calibration.h"
+#include "model/refusal/promise.h"
+#include "planner/goal.h"
+#include "tools/common/words.h"
+#include "tools/common/world.h"
+#include "tools/evaluate/calibrate.h"
+#include "tools/evaluate/closed_loop.h"
+#include "tools/evaluate/commands.h"
+
+namespace prospect::tools {
+namespace {
+
+// Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
+ClosedLoop LoopOf(const cli::CalibrateOptions& options) {
+  ClosedLoop loop;
+  loop.task = options.task;
+  loop.weights = cli::WeightsFile(options.weights, options.task);
+  loop.world = WorldOf(options.scene);
+  loop.scenes = options.scenes;
+  loop.seed = options.seed;
+  Ask(options.search, options.goal, &loop);
+  loop.threshold = 0;
+  loop.rows = {"planner"};
+  loop.jobs = options.jobs;
+  return loop;
+}
+
+model::Promise PromiseAsked(const cli::CalibrateOptions& options) {
+  model::Promise promise = PromiseOf(options.promise);
+  if (!promise.asked()) promise.refuse_at_most = 0.05;
+  return promise;
+}
+
+// What differs from the defaults.
+std::string SceneWords(const cli::SceneOptions& scene) {
+  std::string text;
+  const auto add = [&text](const char* name, int value) {
+    if (value > 0) text += std::string(" --") + name + " " + std::to_string(value);
+  };
+  add("objects", scene.objects);
+  add("legs", scene.legs);
+  add("tower", scene.tower);
+  if (!scene.scene_file.empty()) text += " --scene-file " + scene.scene_file;
+  return text;
+}
+
+// It is kept in the weights.
+std::string CommandOf(const cli::CalibrateOptions& options, const ClosedLoop& loop,
+                      const model::Promise& promise) {
+  std::ostringstream text;
+  text << "./prospect evaluate calibrate --task " << options.task << SceneWords(options.scene)
+       << " --scenes " << options.scenes << " --seed " << options.seed << " --samples "
+       << loop.search.samples << " --v-failed " << loop.search.v_failed;
+  if (promise.refuse_at_most) text << " --refuse-at-most " << *promise.refuse_at_most;
+  if (promise.fail_at_most)
+    text << " --fail-at-most " << *promise.fail_at_most << " --delta " << promise.delta;
+  return text.str();
+}
+
+// What is stored with the weights is for the task's own goal; of another one the threshold is told.
+void Calibrate(const cli::CalibrateOptions& options, const ClosedLoop& loop,
+               const std::vector<SceneRecord>& scenes) {
+  model::CalibrationSample sample = SampleFrom(scenes);
+  sample.rule = loop.search.rule;
+  sample.parameters = CoveredParameters(loop.search, KindAsked(loop), loop.retries);
+  const model::Promise promise = PromiseAsked(options);
+  std::vector<std::string> sentences;
+  const model::Calibration calibration =
+      CalibrationFrom(sample, promise, CommandOf(options, loop, promise), &sentences);
+  for (const std::string& sentence : sentences) Words() << sentence << "\n";
+  Words() << model::CurveTable(sample) << "refusal threshold " << calibration.refusal_threshold
+          << " from " << calibration.scenes;
+  if (!loop.goal.empty()) {
+    Words() << " scenes where " << planner::ToString(loop.goal)
+            << " is solvable; not stored, since the weights' own is for the task's goal: give it "
+               "as --refusal-threshold (evaluate: --threshold)\n";
+    return;
+  }
+  model::StoreCalibration(loop.weights, calibration);
+  Words() << " solvable scenes, stored in " << loop.weights << " with all " << sample.scenes.size()
+          << " scenes\n";
+}
+
+}  // namespace
+
+int RunCalibrate(const cli::CalibrateOptions& options) {
+  const ClosedLoop loop = LoopOf(options);
+  CheckInputs(loop);
+  const SceneRuns runs = RunClosedLoops(loop);
+  Tell(loop, runs);
+  if (runs.extent.stopped()) {
+    Words() << "no calibration of so few scenes is stored\n";
+  } else {
+    Calibrate(options, loop, runs.records);
+  }
+  cli::WriteReport(options.report, ReportOf(loop, runs));
+  return runs.extent.exit_code();
+}
+
+}  // namespace prospect::tools

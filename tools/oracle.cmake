@@ -1,7 +1,0 @@
-if(NOT TARGET prospect_sim)
-  return()
-endif()
-find_package(nlohmann_json 3 REQUIRED)
-add_executable(prospect-oracle ${CMAKE_CURRENT_SOURCE_DIR}/oracle.cpp)
-prospect_target(prospect-oracle)
-target_link_libraries(prospect-oracle PRIVATE prospect_sim prospect_tools_common nlohmann_json::nlohmann_json)

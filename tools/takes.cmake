@@ -1,8 +1,0 @@
-if(NOT TARGET prospect_sim)
-  return()
-endif()
-find_package(CLI11 REQUIRED)
-find_package(nlohmann_json 3 REQUIRED)
-add_executable(prospect-takes ${CMAKE_CURRENT_SOURCE_DIR}/takes.cpp)
-prospect_target(prospect-takes)
-target_link_libraries(prospect-takes PRIVATE prospect_sim prospect_tools_common nlohmann_json::nlohmann_json CLI11::CLI11)

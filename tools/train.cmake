@@ -1,7 +1,0 @@
-if(NOT TARGET prospect_training)
-  return()
-endif()
-find_package(CLI11 REQUIRED)
-add_executable(prospect-train ${CMAKE_CURRENT_SOURCE_DIR}/train.cpp)
-prospect_target(prospect-train)
-target_link_libraries(prospect-train PRIVATE prospect_training prospect_torch_main CLI11::CLI11)

@@ -1,8 +1,0 @@
-if(NOT TARGET prospect_film)
-  return()
-endif()
-find_package(CLI11 REQUIRED)
-find_package(nlohmann_json 3 REQUIRED)
-add_executable(prospect-view ${CMAKE_CURRENT_SOURCE_DIR}/view.cpp ${CMAKE_CURRENT_SOURCE_DIR}/view/episode_file.cpp)
-prospect_target(prospect-view)
-target_link_libraries(prospect-view PRIVATE prospect_film prospect_drawing prospect_tools_common nlohmann_json::nlohmann_json CLI11::CLI11)
