@@ -97,7 +97,7 @@ class OverTheBus {
   // One evaluation in flight: with more, what a worker asks for next depends on when answers come.
   json RunOnce(int seed) {
     Process& executive = deployment_.Executive(
-        {"--samples", std::to_string(kSamples), "--leaves", "1", "--legs", "0", "--objects", "0"},
+        {"--samples", std::to_string(kSamples), "--leaves", "1", "--legs", "0", "--objects", "4"},
         seed);
     int code = -1;
     EXPECT_TRUE(witness_.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000));
