@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/commands/deployment.h"
 #include "cli/commands/oracle.h"
+#include "cli/program.h"
 
 namespace prospect::cli {
 namespace {
@@ -13,8 +14,13 @@ std::pair<int, std::string> Told(const char* command, std::vector<const char*> w
                                  Options* options) {
   words.insert(words.begin(), "program");
   testing::internal::CaptureStderr();
-  const auto end = Parse(command, static_cast<int>(words.size()), words.data(), *options);
-  return {end.value_or(0), testing::internal::GetCapturedStderr()};
+  const auto take = [options](const Options& parsed) {
+    *options = parsed;
+    return 0;
+  };
+  const int status =
+      RunPart(static_cast<int>(words.size()), words.data(), {Carries<Options>("", command, take)});
+  return {status, testing::internal::GetCapturedStderr()};
 }
 
 std::pair<int, std::string> ToldOfOracle(std::vector<const char*> words) {
@@ -71,6 +77,23 @@ TEST(Parsing, FillsTheOptions) {
   EXPECT_EQ(run.episode.seed, 7);
   EXPECT_EQ(run.episode.goal, "on(red,blue)");
   EXPECT_FALSE(run.reset);
+}
+
+TEST(Programs, ThatCarrySeveralCommandsOutAreToldWhich) {
+  int ran = 0;
+  const std::vector<Part> parts = {
+      Carries<OracleOptions>("oracle", "oracle", [&ran](const OracleOptions& options) {
+        ran = options.scenes;
+        return 5;
+      })};
+  const char* right[] = {"/bin/prospect-world", "oracle", "--scenes", "7"};
+  EXPECT_EQ(RunPart(4, right, parts), 5);
+  EXPECT_EQ(ran, 7);
+  testing::internal::CaptureStderr();
+  const char* wrong[] = {"/bin/prospect-world", "oracel"};
+  EXPECT_EQ(RunPart(2, wrong, parts), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "prospect-world: give one of oracle, not 'oracel'\n");
 }
 
 }  // namespace
