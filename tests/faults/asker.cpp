@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/run_main.h"
 #include "planner/scripted_tree.h"
 #include "services/binding/search_messages.h"
 #include "services/binding/task_messages.h"

@@ -18,6 +18,7 @@ class CollectTest : public testing::Test {
  protected:
   CollectTest() : folder_(testing::TempDir() + "prospect_collect_" + std::to_string(getpid())) {
     fs::create_directories(folder_);
+    options_.task = "navigation";
     options_.trials = 6;
     options_.seed = 100;
     options_.out = folder_ + "/set.h5";

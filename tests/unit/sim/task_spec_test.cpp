@@ -50,7 +50,8 @@ TEST(TaskSpec, HashChangesWithEachPart) {
 TEST(TaskSpec, EveryCauseHasANameOfItsOwnAndWords) {
   for (const std::string& name : TaskNames()) {
     std::set<std::string> names;
-    for (const CauseSpec& cause : MakeTask(name)->spec().causes) {
+    const auto task = MakeTask(name);
+    for (const CauseSpec& cause : task->spec().causes) {
       EXPECT_TRUE(names.insert(cause.name).second) << name << ": " << cause.name;
       EXPECT_FALSE(cause.words.empty()) << name << ": " << cause.name;
     }
