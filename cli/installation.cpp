@@ -41,6 +41,8 @@ bool IsInstalled() { return !InstalledData().empty(); }
 
 std::string TypedName() { return IsInstalled() ? "prospect" : "./prospect"; }
 
+std::string Typed(std::string_view command) { return TypedName() + " " + std::string(command); }
+
 std::string ProgramsFolder() {
   const fs::path here = HereFolder();
   const fs::path installed = (here / "../lib/prospect").lexically_normal();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace prospect::cli {
 
@@ -13,6 +14,9 @@ bool IsInstalled();
 
 /// How a person types it: "prospect" where it is installed, else "./prospect".
 std::string TypedName();
+
+/// A command as a person types it: Typed("up --open") is "./prospect up --open" in a checkout.
+std::string Typed(std::string_view command);
 
 /// The folder of the programs, without a slash at its end.
 std::string ProgramsFolder();

@@ -3,7 +3,7 @@
 option(PROSPECT_WERROR "Treat warnings as errors" ON)
 
 function(prospect_target name)
-  target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
   # GCC 12 warns falsely of C++20's constexpr std::string (overlapping copies, GCC bug 105329) and of vectors of bytes that are
   # compared three-way (a bound beyond any object).

@@ -1,5 +1,6 @@
 #include "cli/commands/deployment.h"
 
+#include "cli/installation.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -30,8 +31,8 @@ void Define(CLI::App& app, DemoOptions& options) {
 std::string Defect(const DemoOptions& options) {
   const std::string& task = options.episode.task;
   if (task == "knot_tying" || task == "needle_passing")
-    return "only suturing has a simulated scene: for a video of " + task +
-           ", ./prospect up --task " + task + " --video FILE, then ./prospect predict";
+    return "only suturing has a simulated scene: for a video of " + task + ", " +
+           Typed("up --task ") + task + " --video FILE, then " + Typed("predict");
   return First(EpisodeDefect(options.episode), StartDefect(options.start, task));
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "cli/installation.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -106,7 +107,7 @@ void Define(CLI::App& app, RecordOptions& options) {
       ->type_name("REGEX");
   DefineQuiet(app, options.quiet);
   DefineBusUrl(app, options.bus);
-  app.footer("It ends with Ctrl-C. ./prospect replay FILE plays it again.");
+  app.footer("It ends with Ctrl-C. " + Typed("replay FILE") + " plays it again.");
 }
 
 void Define(CLI::App& app, PredictOptions& options) {
@@ -151,7 +152,7 @@ void Define(CLI::App& app, TestOptions& options) {
 }
 
 void Define(CLI::App& app, CompletionOptions& options) {
-  app.add_option("SHELL", options.shell, "bash: source <(./prospect completion bash)")
+  app.add_option("SHELL", options.shell, "bash: source <(" + Typed("completion bash") + ")")
       ->required()
       ->check(OneOf({"bash"}));
 }

@@ -8,6 +8,7 @@
 
 #include "base/child_process.h"
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
 #include "cli/run/own_deployment.h"
@@ -106,10 +107,11 @@ void TellResults(const DemoOptions& options, const std::string& out, int status,
   if (!IsNew(out + "/episode.mp4", start)) return;
   // The robot's camera is small; people see an arm better at another size and from the side.
   const std::string& scene = options.episode.scene.scene_file;
-  std::fprintf(stderr,
-               "Seen from the side (it takes a while): ./prospect view --episode %s/result.json "
-               "--video %s/view.mp4%s\n",
-               out.c_str(), out.c_str(), scene.empty() ? "" : (" --scene-file " + scene).c_str());
+  std::fprintf(
+      stderr,
+      "Seen from the side (it takes a while): %s --episode %s/result.json --video %s/view.mp4%s\n",
+      Typed("view").c_str(), out.c_str(), out.c_str(),
+      scene.empty() ? "" : (" --scene-file " + scene).c_str());
 }
 
 }  // namespace

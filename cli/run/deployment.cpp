@@ -8,6 +8,7 @@
 
 #include "base/child_process.h"
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "cli/run/processes.h"
 
 namespace prospect::cli {
@@ -71,7 +72,7 @@ std::optional<UpFacts> Deployment::Join(const Words& wishes) const {
 
 UpFacts Deployment::Require() const {
   if (const auto facts = Join()) return *facts;
-  throw ExitError(kExitServiceLost, "nothing is up on " + bus_ + ": ./prospect up");
+  throw ExitError(kExitServiceLost, "nothing is up on " + bus_ + ": " + Typed("up"));
 }
 
 Words Deployment::StartCommand(const Words& arguments) const {

@@ -139,7 +139,7 @@ Finding Weights(const std::string& file) {
   const auto said = AnswerOf({PathOf("prospect-model-server"), "--check", "--weights", file});
   if (said.status == 0) return {0, LastLine(said.out)};
   return {kExitWeights, WithoutError(LastLine(said.err)),
-          "git -C " + DataFolder("") + " checkout -- model/weights"};
+          IsInstalled() ? "" : "git -C " + DataFolder("") + " checkout -- model/weights"};
 }
 
 // What the model server may serve: classifiers read labels when scores are made.

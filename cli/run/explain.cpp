@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "cli/run/bus_place.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
@@ -20,9 +21,8 @@ namespace {
 void RefuseStartOptions(const CLI::App& app) {
   for (const char* name : {"--factor", "--strength", "--open"}) {
     if (app.count(name) > 0)
-      throw ExitError(kExitUsage, std::string(name) +
-                                      " is an option of ./prospect up: it is chosen "
-                                      "when a deployment is started");
+      throw ExitError(kExitUsage, name + (" is an option of " + Typed("up")) +
+                                      ": it is chosen when a deployment is started");
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/child_process.h"
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "cli/options/weights.h"
 #include "cli/run/processes.h"
 
@@ -40,7 +41,7 @@ std::string WeightsThere(const std::string& wish, const std::string& task) {
   if (wish == "scripted") return wish;
   const std::string file = WeightsFile(wish, task);
   if (access(file.c_str(), R_OK) == 0) return file;
-  throw ExitError(kExitWeights, "no weights at " + file + ": ./prospect train makes them");
+  throw ExitError(kExitWeights, "no weights at " + file + ": " + Typed("train") + " makes them");
 }
 
 Words SceneArguments(const SceneOptions& scene, const StartOptions& start,
@@ -74,7 +75,7 @@ void TakeKey(const std::string& key) {
   if (key.empty()) return;
   if (access(key.c_str(), R_OK) != 0)
     throw ExitError(kExitDataFile,
-                    "no key at '" + key + "': --key wants the file that ./prospect up names");
+                    "no key at '" + key + "': --key wants the file that " + Typed("up") + " names");
   setenv("PROSPECT_KEY_FILE", fs::canonical(key).c_str(), 1);
 }
 

@@ -61,16 +61,16 @@ Words ProgramsOf(const SpyOptions& options) {
 int Run(const SpyOptions& options, const Invocation& invocation) {
   if (options.check > 0) return Survey(options, invocation);
   const std::string jar = options.jar.empty() ? OurTypes() : options.jar;
-  RequireFile(jar, "run ./prospect setup, or name it with --jar");
+  RequireFile(jar,
+              "name it with --jar" + std::string(IsInstalled() ? "" : ", or run ./prospect setup"));
   const std::string java = "/usr/share/java/",
                     mend = "apt-get install liblcm-java libjchart2d-java";
   RequireFile(java + "lcm.jar", mend);
   RequireFile(java + "jchart2d.jar", mend);
   const char* display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0')
-    throw ExitError(kExitUnexpected,
-                    "there is no display; use ./prospect spy --check SECONDS for a "
-                    "list in the terminal");
+    throw ExitError(kExitUnexpected, "there is no display; use " + Typed("spy --check SECONDS") +
+                                         " for a list in the terminal");
   return Become({"java", "-Djava.net.preferIPv4Stack=true", "-Xmx256m", "-cp",
                  java + "lcm.jar:" + java + "jchart2d.jar:" + jar, "lcm.spy.Spy", "-l",
                  BusOf(options.bus.bus)});

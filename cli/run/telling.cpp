@@ -14,6 +14,17 @@
 #include "cli/table.h"
 
 namespace prospect::cli {
+namespace {
+
+// The commit of the sources; empty where git does not tell.
+std::string AnswerOfGit() {
+  base::ChildOptions git;
+  git.command = {"/usr/bin/env", "git", "-C", DataFolder(""), "describe", "--always", "--dirty"};
+  const base::ChildResult said = base::RunCaptured(git, std::chrono::seconds(10));
+  return said.status == 0 ? said.out : "";
+}
+
+}  // namespace
 
 int TellMessages() {
   Words files;
@@ -21,17 +32,15 @@ int TellMessages() {
   for (const auto& entry : std::filesystem::directory_iterator(DataFolder("lcmtypes"), none))
     if (entry.path().extension() == ".lcm") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
-  Words command{PathOf("../tools/schema_gen"), "--markdown"};
+  Words command{PathOf(IsInstalled() ? "schema_gen" : "../tools/schema_gen"), "--markdown"};
   command.insert(command.end(), files.begin(), files.end());
   return Become(command);
 }
 
 int TellVersion() {
-  base::ChildOptions git;
-  git.command = {"/usr/bin/env", "git", "-C", DataFolder(""), "describe", "--always", "--dirty"};
-  const base::ChildResult said = base::RunCaptured(git, std::chrono::seconds(10));
-  const std::string commit = said.status == 0 ? LastLine(said.out) : "no git";
-  std::printf("prospect %s (%s)\n", PROSPECT_VERSION, commit.c_str());
+  const std::string commit = IsInstalled() ? TextOf(DataFolder("commit")) : AnswerOfGit();
+  std::printf("prospect %s (%s)\n", PROSPECT_VERSION,
+              commit.empty() ? "no git" : LastLine(commit).c_str());
   return kExitSuccess;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "cli/run/bus_place.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
@@ -80,11 +81,10 @@ int Run(const UpOptions& options, const Invocation&) {
   const int status = deployment.Await(ServicesOf(options, starting.workers));
   if (status != 0) return GiveUp(deployment, status);
   if (options.report.talks())
-    std::fprintf(stderr,
-                 "Up: %s, %s on %s; logs in %s. Next: ./prospect run --seed 2000000; ./prospect "
-                 "spy; ./prospect down\n",
-                 starting.task.c_str(), Count(starting.workers, "worker").c_str(),
-                 deployment.bus().c_str(), up->logs.c_str());
+    std::fprintf(stderr, "Up: %s, %s on %s; logs in %s. Next: %s; %s; %s\n", starting.task.c_str(),
+                 Count(starting.workers, "worker").c_str(), deployment.bus().c_str(),
+                 up->logs.c_str(), Typed("run --seed 2000000").c_str(), Typed("spy").c_str(),
+                 Typed("down").c_str());
   Tell(options.report, {{"task", starting.task},
                         {"workers", starting.workers},
                         {"bus", deployment.bus()},

@@ -20,7 +20,7 @@ base::ChildProcess Crew::Start(const std::string& program, const std::string& se
   base::ChildOptions options;
   options.command = {base::ProgramBeside(program), "--bus", talk_.bus().url()};
   if (!std::filesystem::exists(options.command[0])) {
-    throw ExitError(kExitServiceLost, "no " + options.command[0] + ": ./prospect setup builds it");
+    throw ExitError(kExitServiceLost, "no " + options.command[0] + ": it is not built");
   }
   options.command.insert(options.command.end(), arguments.begin(), arguments.end());
   std::filesystem::create_directories(logs_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/installation.h"
 #include "services/common/robot_hold.h"
 #include "services/common/signals.h"
 
@@ -56,8 +57,8 @@ void Conversation::RequireWorld() const {
   const bool silent = SteadyMs() - view_.world_heard_ms() > HealthMonitor::kDeadMs;
   if (live.empty() && silent) {
     throw ExitError(kExitServiceLost,
-                    "the simulator or robot fell silent for 3 s: see its log, start it again "
-                    "(./prospect up), then run the episode again");
+                    "the simulator or robot fell silent for 3 s: see its log, start it again (" +
+                        cli::Typed("up") + "), then run the episode again");
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "base/number_format.h"
+#include "cli/installation.h"
 #include "services/common/ids.h"
 
 namespace prospect::services {
@@ -77,7 +78,8 @@ void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options)
   throw ExitError(kExitWeights, "weights " + base::HexText(info.weights_hash) + " for task '" +
                                     info.task +
                                     "' predict pictures only: they hold no V, Q, p and f to "
-                                    "search with; ask ./prospect predict");
+                                    "search with; ask " +
+                                    cli::Typed("predict"));
 }
 
 void RequireJudgement(Conversation& talk, const ExecutiveOptions& options) {
@@ -110,17 +112,18 @@ void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
   std::fprintf(stderr, "waiting for%s; at most %d s\n", missing.c_str(),
                (options.services_timeout_ms - silent_ms) / 1000);
   if (talk.Until(complete, options.services_timeout_ms - silent_ms)) return;
-  throw ExitError(kExitServiceLost,
-                  "still missing on " + talk.bus().url() + ":" + Missing(talk, options) +
-                      " start them with ./prospect up, a robot with --key \"$(./prospect key)\"");
+  throw ExitError(kExitServiceLost, "still missing on " + talk.bus().url() + ":" +
+                                        Missing(talk, options) + " start them with " +
+                                        cli::Typed("up") + ", a robot with --key \"$(" +
+                                        cli::Typed("key") + ")\"");
 }
 
 void RequireWorld(Conversation& talk, const ExecutiveOptions& options) {
   const std::string& up = talk.view().task()->world_version;
   if (options.world.empty() || up == options.world) return;
   throw ExitError(kExitUsage, "another scene is up than was asked for (its world is '" + up +
-                                  "', not '" + options.world +
-                                  "'): leave --scene-file out, or ./prospect down first");
+                                  "', not '" + options.world + "'): leave --scene-file out, or " +
+                                  cli::Typed("down") + " first");
 }
 
 void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
@@ -157,7 +160,8 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
 model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
   const auto live = talk.view().servers().Live(0, SteadyMs());
   if (live.empty())
-    throw ExitError(kExitServiceLost, "no model server is alive: start one with ./prospect up");
+    throw ExitError(kExitServiceLost,
+                    "no model server is alive: start one with " + cli::Typed("up"));
   for (const auto& info : live) {
     const bool wanted =
         options.weights_hash.empty() || base::HexText(info.weights_hash) == options.weights_hash;
@@ -176,8 +180,8 @@ const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model
   if (talk.Until(heard, kCalibrationTimeoutMs)) return *talk.view().calibration(model.weights_hash);
   throw ExitError(kExitWeights,
                   "weights " + base::HexText(model.weights_hash) +
-                      " carry no calibration sample, so nothing can be promised: make one with "
-                      "./prospect evaluate calibrate");
+                      " carry no calibration sample, so nothing can be promised: make one with " +
+                      cli::Typed("evaluate calibrate"));
 }
 
 observation_t Look(Conversation& talk, std::int64_t frame) {

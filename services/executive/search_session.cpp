@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/installation.h"
 #include "services/binding/search_table.h"
 #include "services/binding/task_messages.h"
 #include "services/common/ids.h"
@@ -94,7 +95,7 @@ void SearchSession::RequireLife() {
   if (!lost) return;
   Stop(lost);
   throw ExitError(kExitServiceLost, std::string("the search ended without an answer: ") + lost +
-                                        "; see the services' logs, then ./prospect up");
+                                        "; see the services' logs, then " + cli::Typed("up"));
 }
 
 bool SearchSession::Over() {

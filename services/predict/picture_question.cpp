@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/installation.h"
 #include "services/common/ids.h"
 
 namespace prospect::services {
@@ -93,8 +94,9 @@ std::map<planner::Path, agent::Picture> AskForPictures(Conversation& talk, Predi
     talk.Say(ImageOf(root, question.present, kPresentImage));
   };
   if (!talk.Until([&] { return ServerReady(talk, root); }, kReadyMs, announce)) {
-    throw ExitError(kExitServiceLost,
-                    "no model server took the pictures within 10 s; see its log, or ./prospect up");
+    throw ExitError(
+        kExitServiceLost,
+        "no model server took the pictures within 10 s; see its log, or " + cli::Typed("up"));
   }
   auto pictures = FetchAll(inbox, root, question.paths);
   End(talk, root);

@@ -9,6 +9,7 @@
 #include "base/exit_codes.h"
 #include "base/hash.h"
 #include "base/quiet.h"
+#include "cli/installation.h"
 #include "cli/report_file.h"
 #include "services/binding/search_table.h"
 #include "services/common/common_options.h"
@@ -75,7 +76,8 @@ int RunPlay(const cli::ReplayOptions& options) {
   play.with_commands = options.with_commands;
   EventLog{play.log};  // a file that is none is named before anything else is said
   if (!base::Quiet())
-    std::fprintf(stderr, "Playing on another bus: ./prospect spy --bus '%s'\n", play.bus.c_str());
+    std::fprintf(stderr, "Playing on another bus: %s --bus '%s'\n", cli::Typed("spy").c_str(),
+                 play.bus.c_str());
   const PlayResult result = PlayLog(play);
   if (!base::Quiet()) Print(result);
   return result.interrupted ? kExitInterrupted : kExitSuccess;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "cli/installation.h"
 #include "services/common/clock.h"
 #include "services/common/signals.h"
 #include "services/spy/status.h"
@@ -102,7 +103,7 @@ void RequireSomebody(Bus& bus, const HealthMonitor& monitor, double seconds) {
     if (now_ms >= end_ms) {
       const char* refused = bus.refused() > 0 ? " (what is heard is refused: --key FILE?)" : "";
       throw ExitError(kExitServiceLost,
-                      "nothing is up on " + bus.url() + refused + ": ./prospect up");
+                      "nothing is up on " + bus.url() + refused + ": " + cli::Typed("up"));
     }
     if (!told && now_ms >= start_ms + kSilentMs) {
       told = true;

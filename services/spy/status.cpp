@@ -1,4 +1,5 @@
 #include "services/spy/status.h"
+#include "cli/installation.h"
 
 #include <unistd.h>
 
@@ -99,7 +100,7 @@ std::vector<StatusRow> StatusRows(const std::vector<HealthMonitor::Peer>& peers,
 
 void PrintStatus(const std::vector<StatusRow>& rows, std::ostream& out) {
   if (rows.empty()) {
-    out << "Nothing is on this bus: ./prospect up starts a deployment.\n";
+    out << "Nothing is on this bus: " << cli::Typed("up") << " starts a deployment.\n";
     return;
   }
   char line[400];

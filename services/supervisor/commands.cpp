@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/exit_error.h"
+#include "cli/installation.h"
 #include "services/common/bus_url.h"
 #include "services/common/clock.h"
 #include "services/supervisor/facts.h"
@@ -119,7 +120,8 @@ DeploymentFacts FactsOf(const StateFolder& state) {
     if (const auto facts = ReadFacts(state.path() + "/services.json")) return *facts;
     if (SteadyMs() > deadline_ms) {
       throw ExitError(kExitTimeout, "the deployment of " + state.path() +
-                                        " does not say what it is: ./prospect down, then up");
+                                        " does not say what it is: " + cli::Typed("down") +
+                                        ", then up");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -128,7 +130,7 @@ DeploymentFacts FactsOf(const StateFolder& state) {
 int Join(const Options& options) {
   const StateFolder state(PathOf(options), StateFolder::IfAbsent::kAccept);
   if (state.Holder() == StateFolder::kNobody) {
-    throw ExitError(kExitServiceLost, NothingUp(options) + ": ./prospect up");
+    throw ExitError(kExitServiceLost, NothingUp(options) + ": " + cli::Typed("up"));
   }
   const DeploymentFacts facts = FactsOf(state);
   const std::string contradiction = Contradiction(facts, options.wish);
@@ -143,7 +145,7 @@ int Scale(const Options& options) {
   const StateFolder state(PathOf(options), StateFolder::IfAbsent::kAccept);
   const LiveSupervisor supervisor(state);
   if (!supervisor.there()) {
-    throw ExitError(kExitServiceLost, NothingUp(options) + ": ./prospect up");
+    throw ExitError(kExitServiceLost, NothingUp(options) + ": " + cli::Typed("up"));
   }
   supervisor.Send(ScaleSignal(), options.workers);
   return kExitSuccess;

@@ -1,4 +1,5 @@
 #include "services/supervisor/facts.h"
+#include "cli/installation.h"
 
 #include <filesystem>
 #include <fstream>
@@ -45,7 +46,7 @@ std::optional<DeploymentFacts> ReadFacts(const std::string& services_file) try {
 
 std::string Contradiction(const DeploymentFacts& up, const Wish& wish) {
   const std::string here = " on " + up.bus;
-  const std::string anew = ": leave the option out, or ./prospect down and up with it";
+  const std::string anew = ": leave the option out, or " + cli::Typed("down") + " and up with it";
   if (!wish.task.empty() && wish.task != up.task) {
     return "--task " + wish.task + ", but " + up.task + " is up" + here + anew;
   }
@@ -59,7 +60,7 @@ std::string Contradiction(const DeploymentFacts& up, const Wish& wish) {
   }
   if (wish.workers > up.workers) {
     return "--workers " + std::to_string(wish.workers) + ", but " + std::to_string(up.workers) +
-           " are up" + here + ": ./prospect scale workers=" + std::to_string(wish.workers);
+           " are up" + here + ": " + cli::Typed("scale workers=") + std::to_string(wish.workers);
   }
   return "";
 }

@@ -16,6 +16,7 @@
 #include <filesystem>
 
 #include "base/run_main.h"
+#include "cli/installation.h"
 #include "services/common/common_options.h"
 #include "services/common/ids.h"
 #include "services/common/log.h"
@@ -137,8 +138,8 @@ StateFolder TakeState(const std::string& path) {
   const bool used = state.was_used();
   if (!state.Lock()) {
     throw ExitError(kExitBusInUse, "a deployment of yours is already up on this bus (pid " +
-                                       std::to_string(state.Holder()) +
-                                       "): ./prospect down, or another port with --bus");
+                                       std::to_string(state.Holder()) + "): " + cli::Typed("down") +
+                                       ", or another port with --bus");
   }
   if (used && state.Clear()) spdlog::warn("an earlier deployment crashed; what it left is removed");
   return state;

@@ -22,13 +22,14 @@ import sys
 import tempfile
 import time
 
+from links import read, without_labelled
+
 BLOCK = re.compile(r"(?:^ *<!-- (?P<mark>[^\n]*?) -->\n)?^(?P<indent> *)```\n(?P<code>.*?)^(?P=indent)```$", re.M | re.S)
 SECONDS, FULL_SECONDS = 180, 3600
 
 
 def blocks_of(path):
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
+    text = without_labelled(read(path))
     for found in BLOCK.finditer(text):
         line = text.count("\n", 0, found.start("code")) + 1
         word, _, why = (found["mark"] or "run: 0").partition(": ")

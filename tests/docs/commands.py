@@ -12,7 +12,7 @@ import shlex
 import subprocess
 import sys
 
-from links import markdown_files, read
+from links import markdown_files, read, without_labelled
 
 BLOCK = re.compile(r"^( *)```\n(.*?)^\1```$", re.M | re.S)
 INLINE = re.compile(r"(?<!`)`\./prospect ([^`\n]+)`(?!`)")
@@ -67,7 +67,7 @@ def fault_of(prospect, arguments):
 def faults(root, prospect):
     count = 0
     for name in markdown_files(root):
-        text = read(os.path.join(root, name))
+        text = without_labelled(read(os.path.join(root, name)))
         for line, arguments in list(block_commands(text)) + list(inline_commands(text)):
             count += 1
             fault = fault_of(prospect, arguments)

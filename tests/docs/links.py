@@ -34,6 +34,11 @@ def read(path):
         return file.read()
 
 
+def without_labelled(text):
+    """Blocks of another language than the shell's are left empty; lines keep their numbers."""
+    return re.sub(r"^( *)```\w+\n.*?^\1```$", lambda block: "\n" * block.group().count("\n"), text, flags=re.M | re.S)
+
+
 def without_code(text):
     text = re.sub(r"^( *)```.*?^\1```", "", text, flags=re.M | re.S)
     return re.sub(r"`[^`\n]*`", lambda code: code.group().replace("[", " ").replace("](", " "), text)

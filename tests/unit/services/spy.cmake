@@ -3,5 +3,5 @@ if(NOT TARGET prospect_types_jar)  # no Java, no spy
 endif()
 find_program(XVFB Xvfb REQUIRED)
 add_test(NAME services_spy_starts COMMAND ${WITH_BUS} ${CMAKE_CURRENT_SOURCE_DIR}/spy_starts.sh
-  ${CMAKE_SOURCE_DIR}/services/spy/prospect-spy ${PROSPECT_JAR} ${PROSPECT_TYPE_COUNT})
+  $<TARGET_FILE:prospect> ${PROSPECT_JAR} ${PROSPECT_TYPE_COUNT})
 set_tests_properties(services_spy_starts PROPERTIES LABELS unit TIMEOUT ${PROSPECT_TEST_SECONDS})

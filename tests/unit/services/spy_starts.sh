@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # lcm-spy starts on a display of its own, knows every message type and finds the picture plugin:
-#   spy_starts.sh PROSPECT_SPY JAR NUMBER_OF_TYPES
+#   spy_starts.sh PROSPECT JAR NUMBER_OF_TYPES
 set -euo pipefail
-spy=$1 jar=$2 types=$3
+prospect=$1 jar=$2 types=$3
 folder=$(mktemp -d)
 pids=()
 trap 'kill "${pids[@]}" 2>/dev/null || true; rm -rf "$folder"' EXIT
@@ -23,7 +23,7 @@ wait_for() {
 Xvfb -displayfd 3 -screen 0 1024x768x24 3>"$folder/display" 2>"$folder/xvfb.log" &
 pids+=($!)
 wait_for "$folder/display" '[0-9]'
-DISPLAY=":$(cat "$folder/display")" "$spy" --jar "$jar" >"$folder/spy.log" 2>&1 &
+DISPLAY=":$(cat "$folder/display")" "$prospect" spy --jar "$jar" >"$folder/spy.log" 2>&1 &
 pids+=($!)
 wait_for "$folder/spy.log" "Found $types LCM types"
 wait_for "$folder/spy.log" 'prospect_spy.PicturePlugin'
