@@ -45,8 +45,7 @@ TEST_P(BundledRecipe, HasTheRunsOfTheirHistory) {
   if (history.empty()) GTEST_SKIP() << "these weights keep no history";
   ASSERT_EQ(recipe.runs.size(), history.size() + 1);
   for (std::size_t i = 0; i < history.size(); ++i) {
-    EXPECT_EQ(json(recipe.runs[i].config), json(Whole(history[i]["train"])))
-        << recipe.runs[i].name;
+    EXPECT_EQ(json(recipe.runs[i].config), json(Whole(history[i]["train"]))) << recipe.runs[i].name;
   }
 }
 
