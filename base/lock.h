@@ -34,7 +34,7 @@ Lock LockFolder(const std::string& path);
 /// Whether an open file could be locked, or needs no lock since its file system knows none.
 bool TryLock(int file);
 
-/// Who holds the lock on an open file, such as "prospect-train --task stacking (pid 4711)"; where
+/// Who holds the lock on an open file, such as "prospect-train train --task stacking (pid 4711)"; where
 /// that cannot be seen, "another process".
 std::string HolderOf(int file);
 

@@ -51,7 +51,6 @@ struct Command {
   std::vector<std::string> also = {};       ///< other programs that it starts
   /// Adds the options to an app. Empty: not in this table yet, what was typed goes on unread.
   std::function<Bound(CLI::App&)> define = {};
-  std::string without_opencv = {};  ///< what a build without it lacks: "has no figures"
 };
 
 /// Command::define for options that have Define() and, if need be, Defect().

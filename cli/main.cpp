@@ -54,9 +54,7 @@ int TellUnknown(const std::string& typed) {
                      TypedName() + " --help lists all)");
 }
 
-// What a build without OpenCV lacks is told as such.
 int BecomeProgram(const Command& command, const Words& typed) {
-  if (!command.without_opencv.empty()) RequireOpenCv(command.program, command.without_opencv);
   Words words = StartOf(command);
   words.insert(words.end(), typed.begin(), typed.end());
   return Become(words);

@@ -103,7 +103,7 @@ class TrialFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What `prospect-dataset info` shows.
+/// What `prospect dataset info` shows.
 struct DataSetSummary {
   std::size_t trials = 0;
   std::size_t successes = 0;

@@ -123,7 +123,7 @@ void RequireType(const std::string& path, bool holds, const std::string& what, c
 }
 
 json MetadataOf(const std::string& path, const json& header) {
-  const char* no_metadata = "has no metadata of ours; it was not written by prospect-train";
+  const char* no_metadata = "has no metadata of ours; it was not written by ./prospect train";
   const auto found = header.find("__metadata__");
   if (found == header.end()) Refuse(path, no_metadata);
   RequireType(path, found->is_object(), "its '__metadata__'", *found, "an object of texts");

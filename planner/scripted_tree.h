@@ -8,7 +8,7 @@
 // so that a plan's score is V at its last node, and siblings' values tell a search where to look,
 // without telling it all (kBlur). kStep keeps V in [0.14, 0.86]. The constants are tuned so that
 // one worker with the default rule finds the best of the 262,144 plans within 800 rollouts in 60 to
-// 90 % of the seeds (prospect-bench search --simulated). Pure; safe from any thread.
+// 90 % of the seeds (prospect bench simulated). Pure; safe from any thread.
 #pragma once
 
 #include <cstdint>

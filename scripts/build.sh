@@ -39,7 +39,7 @@ configure() {
     { tail -n 30 "$log" >&2; die 2 "The build could not be configured; the whole log: $log"; }
 }
 
-# Of the targets given, those that this build has: some need OpenCV or Java.
+# Of the targets given, those that this build has: the spy's types need Java.
 known_targets() {
   local dir=$1 target
   shift

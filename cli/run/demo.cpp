@@ -124,7 +124,6 @@ int Run(const DemoOptions& options, const Invocation& invocation) {
   const std::time_t start = std::time(nullptr);
   const EpisodeOptions& episode = options.episode;
   const bool gestures = episode.task == "suturing";
-  if (gestures) RequireOpenCv(FindCommand("predict")->program, "predicts no pictures");
   const bool searches = options.acting.policy == "search";
   const std::string out =
       episode.out.empty() ? UsualFolder(episode.task, episode.seed) : episode.out;

@@ -63,12 +63,6 @@ int RunToEnd(const Words& command, const std::string& log) {
   return RunWith(command, base::OpenOutput(log).get());
 }
 
-void RequireOpenCv(const std::string& program, const std::string& lacks) {
-  if (access(PathOf(program).c_str(), X_OK) == 0) return;
-  throw ExitError(kExitUsage,
-                  "this build " + lacks + ": it did not find OpenCV (Debian: libopencv-dev)");
-}
-
 Said::Said() : file_(memfd_create("said", MFD_CLOEXEC)) {
   if (!file_) throw std::runtime_error(std::string("no memory file: ") + std::strerror(errno));
 }

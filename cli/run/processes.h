@@ -33,10 +33,6 @@ int RunToEnd(const Words& command);
 /// The same with all that it prints in a file. @throws DiskError
 int RunToEnd(const Words& command, const std::string& log);
 
-/// Refuses with kExitUsage where a program is missing that only builds with OpenCV have.
-/// @param lacks "plays no videos"
-void RequireOpenCv(const std::string& program, const std::string& lacks);
-
 /// Memory that a child prints into, to be read when it has ended.
 class Said {
  public:

@@ -30,7 +30,6 @@ Words ArgumentsOf(const UpOptions& options, Starting starting) {
   Words first;
   if (!options.simulator) first.push_back("--no-simulator");
   if (!options.video.empty()) {
-    RequireOpenCv("prospect-video", "plays no videos");
     first.push_back("--player");
     starting.scene = {"--video", VideoFile(options.video)};
     if (!options.transcription.empty())

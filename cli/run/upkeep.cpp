@@ -93,7 +93,6 @@ int Run(const CheckRobotOptions& options, const Invocation& invocation) {
 Words ProgramsOf(const PredictOptions&) { return ProgramsToJoin("predict"); }
 
 int Run(const PredictOptions& options, const Invocation& invocation) {
-  RequireOpenCv(invocation.command.program, "predicts no pictures");
   const std::string bus = BusOf(options.bus.bus);
   RequireRoute(bus);
   return Become(Joining(bus, options.bus.key, invocation));

@@ -4,7 +4,7 @@
 
 namespace prospect::sim {
 
-// The navigation world's constants: chosen by measurement with prospect-oracle so that random
+// The navigation world's constants: chosen by measurement with prospect oracle so that random
 // orders fail 50 to 70 % of the time while most sites can be solved. Any change gives the world
 // another version.
 struct NavigationParameters {

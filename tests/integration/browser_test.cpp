@@ -28,7 +28,7 @@ sim::Image PictureOf(int width, int height, int tick) {
 }
 
 void WriteEpisode(const std::string& path) {
-  services::EpisodeRecord record;
+  agent::EpisodeRecord record;
   record.frames_per_second = kFramesPerSecond;
   for (int i = 0; i < kFrames; ++i) record.frames.push_back(PictureOf(64, 64, i));
   report::WriteEpisodeVideo(record, path);

@@ -66,7 +66,7 @@ void DrawCurve(Plot* plot, const std::array<Bin, 10>& bins) {
 // "940", "12k": room for four characters.
 std::string Short(int count) {
   return count < 1000 ? std::to_string(count)
-                      : Number(count < 9950 ? "%.1fk" : "%.0fk", count / 1000.0);
+                      : base::Number(count < 9950 ? "%.1fk" : "%.0fk", count / 1000.0);
 }
 
 // Heights by the logarithm, because p's outermost bins hold nearly all.

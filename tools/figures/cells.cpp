@@ -5,7 +5,6 @@
 namespace prospect::figures {
 
 using report::Cell;
-using report::Number;
 
 namespace {
 

@@ -10,8 +10,6 @@
 
 namespace prospect::figures {
 
-using report::Number;
-
 namespace {
 
 constexpr int kAllFutures = 100000;

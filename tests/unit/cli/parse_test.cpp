@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/commands/deployment.h"
 #include "cli/commands/oracle.h"
+#include "cli/program.h"
 
 namespace prospect::cli {
 namespace {
@@ -73,6 +74,23 @@ TEST(Parsing, FillsTheOptions) {
   EXPECT_EQ(run.episode.seed, 7);
   EXPECT_EQ(run.episode.goal, "on(red,blue)");
   EXPECT_FALSE(run.reset);
+}
+
+TEST(Programs, ThatCarrySeveralCommandsOutAreToldWhich) {
+  int ran = 0;
+  const std::vector<Part> parts = {
+      Carries<OracleOptions>("oracle", "oracle", [&ran](const OracleOptions& options) {
+        ran = options.scenes;
+        return 5;
+      })};
+  const char* right[] = {"/bin/prospect-world", "oracle", "--scenes", "7"};
+  EXPECT_EQ(RunPart(4, right, parts), 5);
+  EXPECT_EQ(ran, 7);
+  testing::internal::CaptureStderr();
+  const char* wrong[] = {"/bin/prospect-world", "oracel"};
+  EXPECT_EQ(RunPart(2, wrong, parts), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "prospect-world: give one of oracle, not 'oracel'\n");
 }
 
 }  // namespace

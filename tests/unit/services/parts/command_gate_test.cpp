@@ -17,10 +17,10 @@ TEST(CommandGateTest, EachCommandOnceAndNoOldOnes) {
 
 TEST(CommandGateTest, ForgetsTheSenderUnheardForLongest) {
   CommandGate gate(2);
-  gate.Take(1, 9);
-  gate.Take(2, 9);
-  gate.Take(1, 10);
-  gate.Take(3, 9);
+  EXPECT_TRUE(gate.Take(1, 9));
+  EXPECT_TRUE(gate.Take(2, 9));
+  EXPECT_TRUE(gate.Take(1, 10));
+  EXPECT_TRUE(gate.Take(3, 9));
   EXPECT_FALSE(gate.Take(1, 10));
   EXPECT_TRUE(gate.Take(2, 9));
 }
