@@ -34,8 +34,8 @@ Lock LockFolder(const std::string& path);
 /// Whether an open file could be locked, or needs no lock since its file system knows none.
 bool TryLock(int file);
 
-/// Who holds the lock on an open file, such as "prospect-train train --task stacking (pid 4711)"; where
-/// that cannot be seen, "another process".
+/// Who holds the lock on an open file, such as "prospect-train train --task stacking (pid 4711)";
+/// where that cannot be seen, "another process".
 std::string HolderOf(int file);
 
 /// What InUseError says of `path`, whose open file is locked by somebody else.

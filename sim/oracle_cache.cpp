@@ -90,7 +90,7 @@ OracleCache::OracleCache(OracleKey key, std::string directory) {
   std::filesystem::create_directories(directory, error);
   if (error) {
     throw base::DiskError("cannot make " + directory + " for the oracle's cache (" +
-                             error.message() + "): set PROSPECT_DATA to a folder you may write to");
+                          error.message() + "): set PROSPECT_DATA to a folder you may write to");
   }
   path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
           std::to_string(key.objects) + "-legs" + std::to_string(key.legs) +

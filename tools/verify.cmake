@@ -1,5 +1,5 @@
 find_package(nlohmann_json 3 REQUIRED)
 find_package(yaml-cpp REQUIRED)
-add_library(prospect_verify_lib STATIC ${CMAKE_CURRENT_SOURCE_DIR}/verify/figures.cpp)
+add_library(prospect_verify_lib STATIC ${CMAKE_CURRENT_SOURCE_DIR}/verify/figures.cpp ${CMAKE_CURRENT_SOURCE_DIR}/verify/tables.cpp)
 prospect_target(prospect_verify_lib)
 target_link_libraries(prospect_verify_lib PUBLIC prospect_base nlohmann_json::nlohmann_json PRIVATE yaml-cpp)

@@ -11,7 +11,7 @@ bool HasSize(const SceneOptions& scene) {
 }
 
 // The first that says something.
-std::string First(std::string a, std::string b) { return a.empty() ? b : a; }
+std::string First(const std::string& a, const std::string& b) { return a.empty() ? b : a; }
 
 std::string NoResetDefect(bool reset, const SceneOptions& scene) {
   if (reset || !HasSize(scene)) return "";

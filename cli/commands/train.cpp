@@ -68,12 +68,8 @@ void DefineConfiguration(CLI::App& app, TrainOptions& options) {
   app.add_option("--variant", options.variant, "a row of the paper's comparison; see below")
       ->type_name("NAME")
       ->check(OneOf(VariantNames()));
-  app.add_option("--recipe", options.recipe,
-                 "best: what a task turns on beyond the paper; paper: none of it, T updated as "
-                 "often")
-      ->type_name("NAME")
-      ->check(OneOf({"paper", "best"}))
-      ->capture_default_str();
+  app.add_flag("--paper", options.paper,
+               "leave all steps beyond the paper out; T is updated as often");
   app.add_option("--without", options.without,
                  "leave these steps beyond the paper out, where the task takes them; see below")
       ->type_name("NAMES")
@@ -125,6 +121,19 @@ void DefineRun(CLI::App& app, TrainOptions& options) {
       ->type_name("DIR");
 }
 
+// All that a recipe says itself is not to be said beside it.
+void DefineRecipe(CLI::App& app, TrainOptions& options) {
+  CLI::Option* recipe =
+      app.add_option("--recipe", options.recipe,
+                     "train all runs of this file, such as recipes/stacking.json, which made the "
+                     "bundled weights, one after the other, each in a folder of its name in --out")
+          ->type_name("FILE");
+  for (const char* name : {"--task", "--variant", "--paper", "--without", "--finetune", "--config",
+                           "--labels", "--from", "--fresh", "--stage", "--score"}) {
+    recipe->excludes(app.get_option(name));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> VariantNames() { return NamesOf(kVariants); }
@@ -138,6 +147,7 @@ void Define(CLI::App& app, TrainOptions& options) {
             "--variant into a folder of that name inside");
   DefineConfiguration(app, options);
   DefineRun(app, options);
+  DefineRecipe(app, options);
   DefineReport(app, options.report);
   app.footer(Listed("Rows of the paper's comparison (--variant):", kVariants) + "\n" +
              Listed("Steps beyond the paper (--without):", kSteps));

@@ -17,8 +17,9 @@ struct TrainOptions {
   std::string out;                   ///< folder for checkpoints, caches, weights and curves.csv
   std::int64_t iterations = 0;       ///< of T, the other stages in proportion; 0: the task's own
   std::string variant;               ///< of the paper's comparison; empty: none
-  std::string recipe = "best";       ///< or "paper": nothing beyond it
-  std::vector<std::string> without;  ///< steps of the recipe to leave out
+  std::string recipe;                ///< file of runs, one after the other; empty: one run
+  bool paper = false;                ///< leave all steps beyond the paper out
+  std::vector<std::string> without;  ///< leave these out
   bool finetune = false;             ///< encoder and decoder learn on with T
   std::string device = "cpu";        ///< or "cuda"
   std::string from;                  ///< begin from these weights; empty: from random ones

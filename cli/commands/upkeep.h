@@ -91,7 +91,7 @@ struct NoOptions {};
 void Define(CLI::App& app, NoOptions& options);
 
 struct TestOptions {
-  bool quick = false, asan = false, tsan = false;
+  bool quick = false, asan = false, tsan = false, tidy = false;
 };
 void Define(CLI::App& app, TestOptions& options);
 

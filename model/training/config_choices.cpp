@@ -8,7 +8,7 @@ namespace prospect::model {
 TrainConfig ConfigOf(const ConfigChoices& choices) {
   TrainConfig config = TrainConfigFor(choices.task);
   choices.changes.get_to(config);
-  ApplyRecipe(choices.recipe, &config);
+  if (choices.paper) LeaveOutAll(&config);
   for (const std::string& step : choices.without) LeaveOut(step, &config);
   if (choices.iterations > 0) ScaleIterations(choices.iterations, &config);
   if (!choices.variant.empty()) ApplyVariant(choices.variant, &config);

@@ -13,18 +13,18 @@ namespace prospect::model {
 struct ConfigChoices {
   std::string task;
   nlohmann::json changes = nlohmann::json::object();  ///< of --config
-  std::string recipe = "best";
-  std::vector<std::string> without;  ///< steps of the recipe to leave out
-  std::int64_t iterations = 0;       ///< of T, all others in proportion; 0: as they are
-  std::string variant;               ///< empty: none
+  bool paper = false;                                 ///< all steps beyond the paper are left out
+  std::vector<std::string> without;                   ///< or these
+  std::int64_t iterations = 0;  ///< of T, all others in proportion; 0: as they are
+  std::string variant;          ///< empty: none
   bool finetune = false;
   std::string precision;   ///< empty: as it is
   std::string labels;      ///< empty: as they are
   std::int64_t seed = -1;  ///< -1: as it is
 };
 
-/// The configuration that all choices lead to, in this order: the task's, `changes`, recipe, steps
-/// left out, iterations, variant (so that all variants share what comes before T), the rest. It is
+/// The configuration that all choices lead to, in this order: the task's, `changes`, steps left
+/// out, iterations, variant (so that all variants share what comes before T), the rest. It is
 /// valid as a whole, whichever choices met: throws std::invalid_argument naming what is not.
 TrainConfig ConfigOf(const ConfigChoices& choices);
 

@@ -65,10 +65,7 @@ void LeaveOut(const std::string& step, TrainConfig* config) {
   throw std::invalid_argument("step '" + step + "': known are " + known);
 }
 
-void ApplyRecipe(const std::string& recipe, TrainConfig* config) {
-  if (recipe == "best") return;
-  if (recipe != "paper")
-    throw std::invalid_argument("recipe '" + recipe + "': known are paper and best");
+void LeaveOutAll(TrainConfig* config) {
   for (const Entry& entry : Entries()) entry.leave_out(config);
 }
 

@@ -15,8 +15,7 @@ const std::vector<std::string>& RecipeSteps();
 /// has not got it. Throws std::invalid_argument that lists the known names.
 void LeaveOut(const std::string& step, TrainConfig* config);
 
-/// "best": the configuration as it is; "paper": all steps left out. Throws std::invalid_argument
-/// for another name.
-void ApplyRecipe(const std::string& recipe, TrainConfig* config);
+/// Leaves all of them out: what remains is the paper's.
+void LeaveOutAll(TrainConfig* config);
 
 }  // namespace prospect::model

@@ -5,8 +5,8 @@
 namespace prospect::services {
 
 /// The bus to use: `option` (--bus) if not empty, else the environment's LCM_DEFAULT_URL if not
-/// empty, else cli::kDefaultBusUrl. A udpm URL that names no recv_buf_size gets the default's, because
-/// LCM's own loses pictures.
+/// empty, else cli::kDefaultBusUrl. A udpm URL that names no recv_buf_size gets the default's,
+/// because LCM's own loses pictures.
 std::string ResolveBusUrl(const std::string& option);
 
 /// The largest UDP receive buffer this host grants (net.core.rmem_max, bytes), or 0 when it cannot

@@ -15,9 +15,9 @@ std::string PolicyDefect(const std::string& policy);
 /// The actions of "plan:A,B,...". Throws std::invalid_argument when it is malformed.
 std::vector<int> ParsePlan(const std::string& policy);
 
-/// The plan that `prospect collect` carries out for this scene: random among the actions whose object
-/// is on the site and that the task allows, from a stream that the scene's seed alone decides. So
-/// that an episode recorded from the bus equals a collected one.
+/// The plan that `prospect collect` carries out for this scene: random among the actions whose
+/// object is on the site and that the task allows, from a stream that the scene's seed alone
+/// decides. So that an episode recorded from the bus equals a collected one.
 /// @param label of the episode's first picture, for the objects present
 /// @param retries false: never go back to try again (policy "expert")
 /// Throws std::invalid_argument when label and task disagree on the number of actions.

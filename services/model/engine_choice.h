@@ -27,7 +27,8 @@ struct EngineChoice {
 /// @throws ExitError (kExitUsage, kExitWeights) saying what is wrong with the choice
 std::unique_ptr<model::Engine> MakeEngine(const EngineChoice& choice);
 
-/// What these weights hold of known pictures; none where they hold nothing or there are no networks.
+/// What these weights hold of known pictures; none where they hold nothing or there are no
+/// networks.
 /// @throws ExitError (kExitWeights)
 std::optional<model::NoveltyGauge> LoadNovelty(const EngineChoice& choice);
 

@@ -15,8 +15,8 @@
 namespace prospect::services {
 
 /// Writes what a worker's searches hear and choose, in order, to an LCM log (channel JOURNAL, type
-/// journal_entry_t), so that prospect rebuild journal can repeat every step. Written out at each search's
-/// end and at the worker's. One thread.
+/// journal_entry_t), so that prospect rebuild journal can repeat every step. Written out at each
+/// search's end and at the worker's. One thread.
 class Journal {
  public:
   static constexpr char kChannel[] = "JOURNAL";

@@ -56,10 +56,11 @@ class Reach : public testing::TestWithParam<const char*> {
 
   // Another host sends "search 7 is over" to an address, as LCM would.
   void SendFromOutside(const std::string& address, int port) {
-    Process stranger("/usr/bin/env",
-                     {"ip", "netns", "exec", "host2", std::string(PROSPECT_BUILD) + "/tests/fault-stranger",
-                      address, std::to_string(port)},
-                     MakeFolder("reach") + "/stranger.log");
+    Process stranger(
+        "/usr/bin/env",
+        {"ip", "netns", "exec", "host2", std::string(PROSPECT_BUILD) + "/tests/fault-stranger",
+         address, std::to_string(port)},
+        MakeFolder("reach") + "/stranger.log");
     ASSERT_EQ(stranger.Wait(10000), 0);
   }
 };

@@ -79,7 +79,8 @@ TEST(JumpingClocks, TheRobotsStillStop) {
   }
   Witness witness;
   Deployment deployment("jumping_example");
-  Process robot("examples/example-robot", {"--bus", witness.bus.url()}, deployment.folder + "/robot.log");
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
+                deployment.folder + "/robot.log");
   auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
   ASSERT_TRUE(witness.Until([&] { return InTheSecondAction(witness); }, 20000));
   ExpectTheRobotStopsWithout(executive, witness);

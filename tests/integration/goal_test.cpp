@@ -92,7 +92,7 @@ TEST(Goals, ImpossibleOnesAreRefusedBeforeAnythingIsSearched) {
   const auto& present = witness.labels.rbegin()->second.present;
   const auto absent = std::find(present.begin(), present.end(), 0) - present.begin();
   const Names objects = {"barrel", "barricade", "pylon", "block", "spool", "generator", "cabin"};
-  const std::string missing = objects[static_cast<std::size_t>(absent)];
+  const std::string& missing = objects[static_cast<std::size_t>(absent)];
   expect_refusal({"--goal", "visited(" + missing + ")", "--objects", "4"},
                  "there is no " + missing + " in this scene");
   EXPECT_TRUE(witness.roots.empty());

@@ -48,7 +48,8 @@ TEST(Stopping, KilledExecutiveStopsTheRobot) {
 TEST(Stopping, KilledExecutiveStopsTheExample) {
   Witness witness;
   Deployment deployment("killed_example");
-  Process robot("examples/example-robot", {"--bus", witness.bus.url()}, deployment.folder + "/robot.log");
+  Process robot("examples/example-robot", {"--bus", witness.bus.url()},
+                deployment.folder + "/robot.log");
   auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
   ASSERT_TRUE(witness.Until([&] { return InTheSecondAction(witness); }, 20000));
   ExpectTheRobotStopsWithout(executive, witness);

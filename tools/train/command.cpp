@@ -1,15 +1,19 @@
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "base/lock.h"
 #include "base/strict_json.h"
+#include "cli/installation.h"
 #include "cli/report_file.h"
 #include "model/dataset.h"
 #include "model/training/config_choices.h"
 #include "model/training/export.h"
+#include "model/training/recipe_file.h"
 #include "model/training/scores.h"
 #include "model/training/trainer.h"
 #include "model/training/verdict.h"
@@ -50,7 +54,7 @@ model::TrainConfig ConfigOf(const cli::TrainOptions& a) {
   model::ConfigChoices choices;
   choices.task = a.task;
   if (!a.config.empty()) choices.changes = ReadChanges(a.config);
-  choices.recipe = a.recipe;
+  choices.paper = a.paper;
   choices.without = a.without;
   choices.iterations = a.iterations;
   choices.variant = a.variant;
@@ -77,10 +81,16 @@ void TellEnd(const cli::TrainOptions& a, const model::Trainer& trainer,
   std::printf("Next: ./prospect %s --task %s --weights %s\n", next, task, weights.c_str());
 }
 
-void Finish(const cli::TrainOptions& a, const model::Trainer& trainer) {
+// Scores the networks and writes them. @return the weights file, and the scores
+std::pair<std::string, nlohmann::json> Export(const cli::TrainOptions& a,
+                                              const model::Trainer& trainer) {
   model::RoundToHalf(trainer.context().networks);
   const nlohmann::json scores = ScoresOf(a, trainer);
-  const std::string weights = model::ExportWeights(trainer, scores);
+  return {model::ExportWeights(trainer, scores), scores};
+}
+
+void Finish(const cli::TrainOptions& a, const model::Trainer& trainer) {
+  const auto [weights, scores] = Export(a, trainer);
   if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
   if (a.report.talks()) TellEnd(a, trainer, scores, weights);
   cli::WriteReport(a.report, scores);
@@ -105,9 +115,103 @@ int ScoreOnly(const cli::TrainOptions& a) {
   return 0;
 }
 
+// The file as it is named, or in the installation: recipes/stacking.json is found from anywhere.
+model::RecipeFile RecipeOf(const cli::TrainOptions& a) {
+  const bool there = std::filesystem::exists(a.recipe);
+  return model::ReadRecipe(there ? a.recipe : cli::DataFolder(a.recipe));
+}
+
+// A run's configuration, with what may be said beside a recipe.
+model::TrainConfig ConfigOf(const cli::TrainOptions& a, const model::RecipeRun& run) {
+  model::TrainConfig config = run.config;
+  if (a.iterations > 0) model::ScaleIterations(a.iterations, &config);
+  if (!a.precision.empty()) config.precision = a.precision;
+  if (a.seed >= 0) config.seed = static_cast<std::uint64_t>(a.seed);
+  model::Validate(config);
+  return config;
+}
+
+// Whether a run has ended before, with this configuration and these data. Its weights then stay as
+// they are: written again they would be others by their hash, and later runs would begin anew.
+bool HasEnded(const std::string& weights, const model::TrainConfig& config,
+              const std::string& data_hash) {
+  if (!std::filesystem::exists(weights)) return false;
+  const nlohmann::json made = model::ReadWeights(weights).metadata;
+  return made.value("train", nlohmann::json()) == nlohmann::json(config) &&
+         made.value("data_hash", "") == data_hash;
+}
+
+void TellNext(const model::RecipeFile& recipe, const std::string& weights) {
+  for (std::string next : recipe.then) {
+    const std::size_t at = next.find("{weights}");
+    if (at != std::string::npos) next.replace(at, 9, weights);
+    std::printf("Next: %s\n", next.c_str());
+  }
+}
+
+// What a run of a recipe is trained with and where, as if it had been typed.
+cli::TrainOptions OptionsOf(const cli::TrainOptions& a, const model::RecipeFile& recipe,
+                            const model::RecipeRun& run, const std::string& from) {
+  cli::TrainOptions one = a;
+  one.task = recipe.task;
+  one.out = a.out + "/" + run.name;
+  one.fresh = run.fresh;
+  one.from = from;
+  return one;
+}
+
+void PrintConfigs(const cli::TrainOptions& a, const model::RecipeFile& recipe) {
+  nlohmann::json configs = nlohmann::json::object();
+  for (const model::RecipeRun& run : recipe.runs) configs[run.name] = ConfigOf(a, run);
+  std::printf("%s\n", configs.dump(2).c_str());
+}
+
+// Trains what has not ended, each run from the weights of the one before.
+void TrainRuns(const cli::TrainOptions& a, const model::RecipeFile& recipe,
+               const std::string& command, const std::string& data_hash) {
+  bool ended = true;
+  std::string weights;
+  for (const model::RecipeRun& run : recipe.runs) {
+    const cli::TrainOptions one = OptionsOf(a, recipe, run, weights);
+    const model::TrainConfig config = ConfigOf(a, run);
+    weights = one.out + "/" + recipe.task + ".safetensors";
+    const bool last = &run == &recipe.runs.back();
+    ended = ended && HasEnded(weights, config, data_hash);
+    if (ended && !last) continue;
+    if (a.report.talks()) std::fprintf(stderr, "run '%s'\n", run.name.c_str());
+    model::TrainOptions options = RunOf(one);
+    options.command = command;
+    model::Trainer trainer(config, options);
+    trainer.Run();
+    if (last) {
+      Finish(one, trainer);
+    } else {
+      Export(one, trainer);
+    }
+  }
+  if (a.report.talks()) TellNext(recipe, weights);
+}
+
+int RunRecipe(const cli::TrainOptions& a, const std::string& command) {
+  const model::RecipeFile recipe = RecipeOf(a);
+  for (const model::RecipeRun& run : recipe.runs) ConfigOf(a, run);  // refused before hours
+  if (a.print_config) {
+    PrintConfigs(a, recipe);
+    return 0;
+  }
+  const base::Lock own = base::LockFolder(a.out);
+  const std::string data_hash = model::TrialFile(a.data).ContentHash();
+  if (data_hash != recipe.data_hash && a.report.talks()) {
+    std::fprintf(stderr, "%s: not the trials that the recipe is made for\n", a.data.c_str());
+  }
+  TrainRuns(a, recipe, command, data_hash);
+  return 0;
+}
+
 }  // namespace
 
 int RunTrain(const cli::TrainOptions& options, const std::string& command) {
+  if (!options.recipe.empty()) return RunRecipe(options, command);
   const model::TrainConfig config = ConfigOf(options);
   if (options.print_config) {
     std::printf("%s\n", nlohmann::json(config).dump(2).c_str());

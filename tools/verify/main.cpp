@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 
@@ -18,6 +19,7 @@
 #include "cli/program.h"
 #include "cli/report_file.h"
 #include "tools/verify/figures.h"
+#include "tools/verify/tables.h"
 
 namespace {
 
@@ -94,12 +96,24 @@ int Show(const Measurement& measurement, bool full, const json& report, json* to
   return outside;
 }
 
+// What is published and was not looked at; an installation without docs has no list.
+json TellTablesNotMeasured(const std::vector<Measurement>& measurements) {
+  std::ifstream in(cli::DataFolder("docs") + "/results.md");
+  const std::string markdown((std::istreambuf_iterator<char>(in)), {});
+  const std::vector<std::string> tables = TablesNotMeasured(markdown, measurements);
+  if (base::Quiet() || tables.empty()) return tables;
+  std::printf("Tables of docs/results.md that were not measured again:\n");
+  for (const std::string& table : tables) std::printf("  %s\n", table.c_str());
+  return tables;
+}
+
 int Run(const Options& options) {
   const base::Lock own = base::LockFolder(options.work);
   const auto begin = std::chrono::steady_clock::now();
   json told = json::array();
   int outside = 0, count = 0;
-  for (const Measurement& measurement : ReadMeasurements(options.figures)) {
+  const std::vector<Measurement> measurements = ReadMeasurements(options.figures);
+  for (const Measurement& measurement : measurements) {
     if (!base::Quiet()) std::printf("%s\n", measurement.name.c_str());
     std::fflush(stdout);
     const std::string folder = options.work + "/" + std::to_string(++count);
@@ -109,7 +123,11 @@ int Run(const Options& options) {
   if (!base::Quiet())
     std::printf("%zu figures, %d outside their tolerance; %.0f s\n", told.size(), outside,
                 took.count());
-  cli::WriteReport(options.report, {{"outside", outside}, {"full", options.full}, {"rows", told}});
+  const json tables = TellTablesNotMeasured(measurements);
+  cli::WriteReport(options.report, {{"outside", outside},
+                                    {"full", options.full},
+                                    {"rows", told},
+                                    {"tables_not_measured", tables}});
   return outside == 0 ? kExitSuccess : kExitTolerance;
 }
 

@@ -98,7 +98,7 @@ TEST(ChildProcess, MovesWithItsChild) {
   const int pid = first.pid();
   ChildProcess second(std::move(first));
   EXPECT_EQ(second.pid(), pid);
-  EXPECT_FALSE(first.Running());
+  EXPECT_FALSE(first.Running());  // NOLINT: what is left of it says so
   EXPECT_TRUE(second.Running());
 }
 

@@ -17,19 +17,11 @@ using nlohmann::json;
 
 const char* const kTasks[] = {"navigation", "stacking", "suturing"};
 
-TEST(Recipe, BestIsTheTasksOwn) {
-  for (const char* task : kTasks) {
-    TrainConfig config = TrainConfigFor(task);
-    ApplyRecipe("best", &config);
-    EXPECT_EQ(json(config), json(TrainConfigFor(task)));
-  }
-}
-
 TEST(Recipe, PaperIsAllStepsLeftOutAndTrainsTAsOften) {
   for (const char* task : kTasks) {
     const TrainConfig own = TrainConfigFor(task);
     TrainConfig paper = own, one_by_one = own;
-    ApplyRecipe("paper", &paper);
+    LeaveOutAll(&paper);
     for (const std::string& step : RecipeSteps()) LeaveOut(step, &one_by_one);
     EXPECT_EQ(json(paper), json(one_by_one));
     Validate(paper);
@@ -74,7 +66,6 @@ TEST(Recipe, TheCommandLineKnowsEveryStepAndVariant) {
 
 TEST(Recipe, UnknownNamesSayWhatIsKnown) {
   TrainConfig config;
-  EXPECT_THROW(ApplyRecipe("good", &config), std::invalid_argument);
   try {
     LeaveOut("nothing", &config);
     FAIL();
@@ -123,8 +114,8 @@ TEST(ConfigChoices, WhicheverMeetEveryNumberIsFiniteAndInRange) {
           for (const std::int64_t iterations :
                {0L, 1L, 1'000'000'000L, 9'000'000'000'000'000'000L}) {
             choices.iterations = iterations;
-            for (const char* recipe : {"best", "paper"}) {
-              choices.recipe = recipe;
+            for (const bool paper : {false, true}) {
+              choices.paper = paper;
               ExpectSoundOrRefused(choices, &sound);
             }
           }

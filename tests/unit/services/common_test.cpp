@@ -70,7 +70,8 @@ TEST(BusUrl, UdpGetsAReceiveBuffer) {
 }
 
 TEST(BusUrl, AdviceNamesTheCommand) {
-  EXPECT_NE(BusAdvice(prospect::cli::kDefaultBusUrl).find("ip route add 224.0.0.0/4 dev lo"), std::string::npos);
+  EXPECT_NE(BusAdvice(prospect::cli::kDefaultBusUrl).find("ip route add 224.0.0.0/4 dev lo"),
+            std::string::npos);
   EXPECT_NE(BusAdvice("foo://").find("udpm://"), std::string::npos);
   EXPECT_EQ(ReceiveBufferWarning("memq://"), "");
   if (ReceiveBufferLimit() > 0) {

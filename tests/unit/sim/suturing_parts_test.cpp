@@ -204,7 +204,7 @@ struct StillLife {
     for (int i = 0; i < 2; ++i) AppendInstrument(P(), i, scene.hands[i], 0.3, &poses);
     poses.push_back(scene.needle);
   }
-  Image Render(double sideways = 0) {
+  Image Render(double sideways = 0) const {
     return Endoscope(P(), scene.look).Render(poses, {}, scene.light, sideways, 64, 48);
   }
   SuturingScene scene;

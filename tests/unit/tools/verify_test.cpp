@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tools/verify/figures.h"
+#include "tools/verify/tables.h"
 
 namespace prospect::verify {
 namespace {
@@ -80,6 +81,19 @@ TEST(FiguresFile, EveryFigureStandsInTheResults) {
           << m.name << ", " << figure.name << ": '" << figure.printed << "'";
     }
   }
+}
+
+TEST(Tables, ThoseWithoutAMeasuredFigureAreNamed) {
+  const std::string markdown =
+      "# All\n\n## One\n\n| a | b |\n|---|---|\n| x | 1.5 |\n\ntext | 2.5 |\n\n"
+      "| | c |\n|---|---|\n| y | 2.5 |\n\n### Two\n| d | e |\n|---|---|\n| z | 3.5 |\n";
+  Measurement measurement;
+  measurement.figures.push_back(Around(0, 0, 0));
+  measurement.figures.back().printed = "| y | 2.5 |";
+  const std::vector<std::string> expected = {"One: a", "Two: d"};
+  EXPECT_EQ(TablesNotMeasured(markdown, {measurement}), expected);
+  EXPECT_EQ(TablesNotMeasured(markdown, {}).size(), 3U);
+  EXPECT_TRUE(TablesNotMeasured("no table\n", {}).empty());
 }
 
 }  // namespace

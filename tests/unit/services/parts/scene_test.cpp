@@ -60,7 +60,7 @@ TEST(SceneTest, RefusesWhatCannotBeDone) {
 TEST(SceneTest, CancelBrakesAndThenHoldsStill) {
   Scene scene("navigation", {}, kEpisode, kSeed);
   int action = 0;
-  while (scene.Start(action) != "") ++action;
+  while (!scene.Start(action).empty()) ++action;
   scene.Tick();
   ASSERT_TRUE(scene.running()) << "this scene's first action should take a while";
   scene.Cancel();

@@ -19,7 +19,7 @@ model::ScriptedOptions AllOffered() {
 
 class SearchMemoryTest : public testing::Test {
  protected:
-  std::unique_ptr<SearchMemory> Make(std::size_t bytes, Path executed = {}) {
+  std::unique_ptr<SearchMemory> Make(std::size_t bytes, const Path& executed = {}) {
     auto memory = std::make_unique<SearchMemory>(engine, planner::AnyOrder(7, 4), executed, bytes);
     const std::vector<std::uint8_t> picture(64 * 64 * 3, 9);
     memory->SetRoot(engine.Encode(picture), engine.Encode(picture));
