@@ -243,7 +243,7 @@ TEST(BadPeers, WhereNobodyKnowsThePictureNothingIsDone) {
 
 TEST(BadPeers, AnImpossibleWordOnThePictureIsARefusal) {
   Witness witness;
-  Deployment deployment("unreadable_novelty");
+  Deployment deployment("impossible_novelty");
   deployment.Simulator();
   deployment.ModelServer({"--chaos", "drop=1,channel=PREDICT_REQUEST"});
   deployment.Worker();
@@ -255,7 +255,9 @@ TEST(BadPeers, AnImpossibleWordOnThePictureIsARefusal) {
         reply.search_id = request.search_id;
         reply.path = request.path;
         reply.status = expand_reply_t::STATUS_OK;
-        reply.reason = "p=certainly";
+        reply.num_novelty = 1;
+        reply.novelty.resize(1);
+        reply.novelty[0].p = 2;
         witness.bus.Publish(reply);
       });
   EXPECT_EQ(EndOf(deployment.Executive(), witness), 3);

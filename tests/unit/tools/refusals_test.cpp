@@ -122,7 +122,7 @@ TEST(Plot, HasAPanelATask) {
   report::WriteRefusalPlot(folder / "two.png", {figures, figures});
   const auto one = report::PngSize(folder / "one.png"), two = report::PngSize(folder / "two.png");
   EXPECT_GT(two.width, one.width);
-  EXPECT_EQ(two.height, one.height);
+  EXPECT_LE(two.height, one.height) << "beside each other; the words below have more room";
   EXPECT_THROW(report::WriteRefusalPlot(folder / "none/one.png", {figures}), base::DiskError);
 }
 
