@@ -67,7 +67,10 @@ class Here {
 // The executive and its services, started once.
 class OverTheBus {
  public:
-  explicit OverTheBus(const std::string& task) : deployment_("hosts_agree_" + task) {
+  explicit OverTheBus(const std::string& task)
+      : scene_(task == "stacking" ? std::vector<std::string>{"--tower", "2"}
+                                  : std::vector<std::string>{"--objects", "4", "--legs", "3"}),
+        deployment_("hosts_agree_" + task) {
     deployment_.Simulator({"--task", task, "--frames-per-second", "3000"});
     deployment_.ModelServer({"--weights", Weights(task)});
     deployment_.Worker();
@@ -96,15 +99,16 @@ class OverTheBus {
  private:
   // One evaluation in flight: with more, what a worker asks for next depends on when answers come.
   json RunOnce(int seed) {
-    Process& executive = deployment_.Executive(
-        {"--samples", std::to_string(kSamples), "--leaves", "1", "--legs", "0", "--objects", "4"},
-        seed);
+    std::vector<std::string> asked{"--samples", std::to_string(kSamples), "--leaves", "1"};
+    asked.insert(asked.end(), scene_.begin(), scene_.end());
+    Process& executive = deployment_.Executive(asked, seed);
     int code = -1;
     EXPECT_TRUE(witness_.Until([&] { return (code = executive.Wait(0)) >= 0; }, 60000));
     deployment_.Forget(executive);
     return deployment_.Result();
   }
 
+  std::vector<std::string> scene_;  // options that ask for it
   Witness witness_;
   Deployment deployment_;
 };

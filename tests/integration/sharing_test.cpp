@@ -15,11 +15,11 @@ namespace {
 // knows from memory.
 double AskedToComputed(const std::string& name, const std::vector<std::string>& more) {
   const std::string folder = MakeFolder(name);
-  std::vector<std::string> words{"--workers", "2",    "--seeds",      "3",
-                                 "--samples", "150",  "--fixed-cost", "none",
-                                 "--logs",    folder, "--json",       folder + "/rows.json"};
+  std::vector<std::string> words{
+      "search",       "--workers", "2",      "--seeds", "3",      "--samples",          "150",
+      "--fixed-cost", "none",      "--logs", folder,    "--json", folder + "/rows.json"};
   words.insert(words.end(), more.begin(), more.end());
-  Process bench("prospect-bus-bench", words, folder + "/bench.log");
+  Process bench("prospect-bench", words, folder + "/bench.log");
   EXPECT_EQ(bench.Wait(60000), 0) << ReadText(folder + "/bench.log");
   const auto row = nlohmann::json::parse(ReadText(folder + "/rows.json")).at("rows").at(0);
   EXPECT_GE(row.at("overshoot"), 0);
