@@ -18,9 +18,9 @@ for command in demo up run explain; do
   expect 2 "--legs wants .* 3 to 5, not '6'" "$prospect" "$command" --task navigation --legs 6
   expect 2 "legs are navigation's; stacking takes --tower" "$prospect" "$command" --task stacking --legs 5
 done
-for program in evaluate evaluate-plans evaluate-shifts oracle takes view collect ceiling; do
-  expect 2 '--tower: .*5 not in range' "$bin/prospect-$program" --tower 5
-  expect 2 '--scene-file: .*none.yaml' "$bin/prospect-$program" --scene-file none.yaml
+for command in evaluate "evaluate plans" "evaluate shifts" oracle takes ceiling "view --out x.png" "collect --out x.h5"; do
+  expect 2 "--tower wants .* 2 to 4, not '5'" "$prospect" $command --tower 5
+  expect 2 'none.yaml: cannot be read' "$prospect" $command --scene-file none.yaml
 done
 
 # In one second nothing can be done, so that every plan ends at once.
