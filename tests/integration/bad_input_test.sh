@@ -97,7 +97,7 @@ weights() {  # weights FILE TEXT: to everyone who loads weights
   expect 10 "$2" prospect-evaluate run --task navigation --weights "$1" --scenes 1 --rows planner --jobs 2
 }
 weights "$absent" 'absent: cannot be opened; is the path right'
-weights "$folder" 'is a folder; name the file'
+weights "$folder" 'navigation.safetensors: cannot be opened; is the path right'
 weights empty 'empty: is too short.*truncated'
 weights text 'text: its header is longer than the file; truncated, or not a safetensors'
 weights cut.safetensors 'cut.safetensors: .*truncated'
@@ -137,7 +137,7 @@ mkfifo stuck.h5
 cat >struck <<'SH'
 # Sanitizers would take the blow themselves.
 export ASAN_OPTIONS=${ASAN_OPTIONS:-}:handle_segv=0 TSAN_OPTIONS=${TSAN_OPTIONS:-}:handle_segv=0
-prospect-dataset "$@" &
+prospect-data "$@" &
 until child=$(pgrep -P $!); do sleep 0.02; done
 kill -SEGV "$child"
 wait $!

@@ -39,7 +39,7 @@ expect 10 "navigation.safetensors: tensor 'transform.action.weight' has another 
   prospect-train train --task stacking --data good.h5 --out run --from "$weights"
 echo 'no weights' >text
 expect 10 'text: .*not a safetensors' "${train[@]}" --data good.h5 --from text
-expect 2 'File does not exist' "${train[@]}" --data good.h5 --from absent
+expect 10 'absent: cannot be opened' "${train[@]}" --data good.h5 --from absent
 
 # --- CUDA where there is none.
 export CUDA_VISIBLE_DEVICES=
