@@ -84,7 +84,7 @@ OracleKey OracleKeyOf(const Task& task, int objects) {
           "",        planner::TowerLevels(rules) > 2};
 }
 
-OracleCache::OracleCache(OracleKey key, std::string directory) {
+OracleCache::OracleCache(const OracleKey& key, std::string directory) {
   if (directory.empty()) directory = DefaultDirectory();
   std::error_code error;
   std::filesystem::create_directories(directory, error);

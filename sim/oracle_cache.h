@@ -33,7 +33,7 @@ class OracleCache {
  public:
   // `directory` is made if need be. Empty: $PROSPECT_DATA/oracle, or ~/.cache/prospect/oracle if
   // that is not set. Throws base::DiskError if it cannot be made.
-  explicit OracleCache(OracleKey key, std::string directory = "");
+  explicit OracleCache(const OracleKey& key, std::string directory = "");
 
   std::optional<OracleResult> Find(std::uint64_t scene_seed) const;
   void Store(std::uint64_t scene_seed, const OracleResult& result);

@@ -97,7 +97,7 @@ weights() {  # weights FILE TEXT: to everyone who loads weights
   expect 10 "$2" prospect-evaluate run --task navigation --weights "$1" --scenes 1 --rows planner --jobs 2
 }
 weights "$absent" 'absent: cannot be opened; is the path right'
-weights "$folder" 'navigation.safetensors: cannot be opened; is the path right'
+weights "$folder" 'is a folder; name the file|navigation.safetensors: cannot be opened'
 weights empty 'empty: is too short.*truncated'
 weights text 'text: its header is longer than the file; truncated, or not a safetensors'
 weights cut.safetensors 'cut.safetensors: .*truncated'

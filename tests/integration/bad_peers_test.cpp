@@ -21,7 +21,7 @@ constexpr int kTaskSide = 64;
 
 void Resize(int side, observation_t* picture) {
   picture->width = picture->height = side;
-  picture->data.assign(static_cast<std::size_t>(side * side * 3), 90);
+  picture->data.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 3, 90);
 }
 
 /// A robot whose TASK says 64x64 and whose camera does as it likes. Every action succeeds at once.

@@ -58,7 +58,7 @@ TEST(JumpingClocks, AnEpisodeGoesOn) {
     EXPECT_EQ(witness.Services(service).size(), 1u) << service;
   const auto both = [&] {
     NoteHours(witness, &hours);
-    return hours.count(-5) > 0 && hours.count(7) > 0;
+    return hours.contains(-5) && hours.contains(7);
   };
   EXPECT_TRUE(witness.Until(both, 20000)) << "the clocks should have jumped";
 }
