@@ -68,7 +68,7 @@ class Style(unittest.TestCase):
         self.assertTrue(reaches(self.root, "base/far.cpp", "torch"))
         self.assertFalse(reaches(self.root, "base/not.cpp", "torch"))
 
-    def test_changed_files_are_those_since_the_main_branch(self):
+    def test_changed_files_are_those_of_the_last_commit_and_after(self):
         git = ["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@b"]
 
         def run(*words):
@@ -77,14 +77,11 @@ class Style(unittest.TestCase):
         run("init", "--initial-branch=main")
         self.write("base/old.cpp", "")
         run("add", "."), run("commit", "-m", "one")
-        run("switch", "-c", "work")
         self.write("base/committed.cpp", "")
         run("add", "."), run("commit", "-m", "two")
         self.write("base/torch.cpp", "#include <torch/torch.h>\n")
         self.write("base/new.cpp", "")
         self.assertEqual(sorted(tidy.changed(self.root)), ["base/committed.cpp", "base/new.cpp"])
-        run("switch", "main"), run("merge", "work")  # on main itself: since the commit before
-        self.assertIn("base/committed.cpp", tidy.changed(self.root))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs clang-tidy with .clang-tidy over C++ files, its warnings as errors.
 
-  tidy.py ROOT BUILD             files that differ from the main branch, but for those that include libtorch (whose headers take
+  tidy.py ROOT BUILD             files of the last commit and those that are not committed yet, but for those that include libtorch (whose headers take
                                  clang-tidy half a minute a file)
   tidy.py ROOT BUILD --all       every file
   tidy.py ROOT BUILD FILE...     these
@@ -35,13 +35,8 @@ def git(root, *words):
 
 
 def base_of(root):
-    """The commit that changes count from: where this branch left main, or, on main itself, the commit before."""
-    head = git(root, "rev-parse", "HEAD")
-    for main in ("main", "origin/main"):
-        base = git(root, "merge-base", "HEAD", main)
-        if base and base != head:
-            return base[0]
-    return (git(root, "rev-parse", "HEAD~1") or head or [None])[0]
+    """The commit before the last one; the last one where git knows no other."""
+    return (git(root, "rev-parse", "HEAD~1") or git(root, "rev-parse", "HEAD") or [None])[0]
 
 
 def changed(root):
