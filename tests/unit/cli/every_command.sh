@@ -10,7 +10,8 @@ fault() { echo "FAULT $*"; faults=$((faults + 1)); }
 commands=$("$prospect" --help | sed -n 's/^  \([a-z-]*\( [a-z-]*\)\?\)  .*/\1/p')
 [ "$(wc -l <<<"$commands")" -ge 30 ] || fault "few commands: $commands"
 while read -r command; do
-  "$prospect" $command --help | grep -q "^usage: ./prospect $command" || fault "$command --help"
+  # Not piped: grep -q ends at the first match, and who then still writes is killed.
+  grep -q "^usage: ./prospect $command" <<<"$("$prospect" $command --help)" || fault "$command --help"
   said=$("$prospect" --dry-run $command --nonsense 2>&1)
   [ $? = 2 ] && grep -q "unknown option '--nonsense'" <<<"$said" || fault "$command --nonsense: $said"
   [ "$(wc -l <<<"$said")" = 1 ] || fault "$command --nonsense says more than a line: $said"
