@@ -3,45 +3,16 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/unit/agent/calibration_sample.h"
+#include "tests/unit/report/failed_episode.h"
+
 namespace prospect::report {
 namespace {
 
 using namespace agent;
 
-StepRecord Step(const std::string& name, double score) {
-  StepRecord step;
-  step.action = 1;
-  step.name = name;
-  step.score = score;
-  step.value = 0.9;
-  step.done = 0.8;
-  step.visits = 12;
-  step.predicted = true;
-  return step;
-}
-
-// Two steps planned, the first carried out, the second failed after a new search.
-EpisodeRecord FailedEpisode() {
-  EpisodeRecord record;
-  record.task = "navigation";
-  record.seed = 5;
-  record.outcome = "failed";
-  record.reason = "b failed: it ran out of time";
-  SearchRecord first, second;
-  first.act = second.act = true;
-  first.rollouts = 30;
-  second.rollouts = 20;
-  first.steps = {Step("a", 0.7), Step("c", 0.6), Step("d", 0.5)};
-  second.steps = {Step("b", 0.4), Step("d", 0.3)};
-  record.searches = {first, second};
-  ActRecord a, b;
-  a.name = "a";
-  a.observed = "succeeded";
-  b.name = "b";
-  b.observed = "failed";
-  b.reason = "time";
-  record.acts = {a, b};
-  return record;
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
 }
 
 TEST(ReportTest, RowsAreTheSearchBeforeEachActAndWhatIsLeftOfThePlan) {
@@ -99,6 +70,22 @@ TEST(ReportTest, ReasonsThatAreNoTextEndNoEpisode) {
   const auto json = nlohmann::json::parse(ResultJson(record, 4));
   EXPECT_EQ(json.at("reason").get<std::string>().rfind("gripper ", 0), 0u);
   EXPECT_TRUE(json.at("seed").is_null()) << "no simulated scene";
+}
+
+TEST(ConfidenceInReports, StandsInTheTableAndInResultJson) {
+  EpisodeRecord record;
+  record.outcome = "solved";
+  record.confidence = ConfidenceOf(Sample(), 0.21, 0);
+  record.terms = TermsOf(Sample(), "paper", {}, false);
+  record.terms->promises = {"Refuses at most 5 %."};
+  EXPECT_TRUE(Holds(PlanTable(record), "At the start: Succeeds in about 33 %"));
+  EXPECT_TRUE(Holds(PlanTable(record), "Refuses at most 5 %."));
+  const std::string json = ResultJson(record, 0);
+  EXPECT_TRUE(Holds(json, "\"success\": 0.3333"));
+  EXPECT_TRUE(Holds(json, "\"calibration_scenes\": 80"));
+  record.confidence.reset();
+  EXPECT_TRUE(Holds(ResultJson(record, 0), "\"confidence\": null"));
+  EXPECT_FALSE(Holds(PlanTable(record), "At the start"));
 }
 
 }  // namespace
