@@ -149,7 +149,7 @@ void Define(CLI::App& app, TestOptions& options) {
   CLI::Option* asan =
       app.add_flag("--asan", options.asan, "build with address and undefined behaviour sanitizers");
   app.add_flag("--tsan", options.tsan, "build with the thread sanitizer")->excludes(asan);
-  app.add_flag("--tidy", options.tidy, "only clang-tidy, over every file: an hour");
+  app.add_flag("--tidy", options.tidy, "only clang-tidy, over every file: slow");
 }
 
 void Define(CLI::App& app, CompletionOptions& options) {
