@@ -136,6 +136,8 @@ std::vector<Command> MeasureCommands() {
                              "prospect-bench", {"picks"}),
       Row<BenchTrainOptions>("bench train", "speed of each stage of training", "prospect-train",
                              {"bench"}),
+      Row<BenchEngineOptions>("bench engine", "speed of the engine on one core, beside libtorch's",
+                              "prospect-train", {"bench-engine"}),
   };
 }
 

@@ -17,7 +17,7 @@ endfunction()
 
 # Tests that need no libtorch, whose headers take most of a build, are quick: ./prospect test --quick builds and runs
 # these alone (target quick_tests, label quick).
-set(PROSPECT_SLOW_TO_BUILD "prospect_(engine|training|model|evaluate_lib|model_server_lib)")
+set(PROSPECT_SLOW_TO_BUILD "prospect_(torch_engine|training)")
 function(prospect_quick_label label)
   if(NOT "${ARGN}" MATCHES "${PROSPECT_SLOW_TO_BUILD}(;|$)" AND NOT "${${label}}" MATCHES "slow")
     set(${label} ${${label}} quick PARENT_SCOPE)

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/hash.h"
-#include "model/weights.h"
+#include "model/weights_file.h"
 
 namespace prospect::model {
 namespace {
@@ -88,10 +88,11 @@ std::uint64_t TensorsHash(const WeightsFile& file) {
   for (const auto& [name, tensor] : file.tensors) {
     if (name.starts_with(kNoveltyPrefix)) continue;
     hash = base::HashText(name, hash);
-    for (const std::int64_t extent : tensor.sizes())
+    for (const std::int64_t extent : tensor.shape)
       hash = base::HashBytes(&extent, sizeof extent, hash);
-    const torch::Tensor whole = tensor.to(torch::kHalf).contiguous();
-    hash = base::HashBytes(whole.data_ptr(), whole.nbytes(), hash);
+    const bool half = tensor.type == StoredTensor::Type::kHalf;
+    hash = base::HashText(half ? tensor.bytes : HalfTensor(tensor.shape, ToFloats(tensor)).bytes,
+                          hash);
   }
   return hash;
 }

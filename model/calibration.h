@@ -8,7 +8,7 @@
 
 namespace prospect::model {
 
-struct WeightsFile;  // model/weights.h
+struct WeightsFile;  // model/weights_file.h
 
 /// How a refusal threshold was found; stored with it in the weights' metadata.
 struct Calibration {

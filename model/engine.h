@@ -32,7 +32,7 @@ struct Prediction {
 
 /// What an engine was made for.
 struct EngineInfo {
-  std::string engine;     ///< "torch", "scripted", ...
+  std::string engine;     ///< "native avx512", "torch", "scripted", ...
   std::string task;       ///< e.g. "navigation"
   std::string task_hash;  ///< hash of the action table it was trained with, as text; may be empty
   int num_actions = 0;    ///< num_actions itself stands for "no action yet"
@@ -112,12 +112,16 @@ class Engine {
   virtual std::vector<float> DoClassify(Pixels picture) = 0;
 };
 
-/// Loads a weights file (model/weights.h) for libtorch on the CPU; rows are spread over `threads`
-/// threads (at least 1), each row on one. Throws WeightsError (model/weights_error.h) naming file
-/// and reason.
+/// Loads a weights file (model/weights_file.h) for the CPU; rows are spread over `threads` threads
+/// (at least 1), each row on one. Throws WeightsError (model/weights_error.h) naming file and
+/// reason.
+std::unique_ptr<Engine> LoadEngine(const std::string& path, int threads);
+
+/// The same by libtorch, six times slower: the reference that LoadEngine's is tested against. Only
+/// in programs that link libtorch.
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads);
 
-/// The same for a search: weights that predict pictures only are a WeightsError, too.
+/// LoadEngine for a search: weights that predict pictures only are a WeightsError, too.
 std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads);
 
 }  // namespace prospect::model

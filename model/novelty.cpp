@@ -1,101 +1,105 @@
 #include "model/novelty.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "model/networks/libtorch.h"
-#include "model/weights.h"
+#include "model/half.h"
+#include "model/weights_file.h"
 
 namespace prospect::model {
 namespace {
 
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Eigen::Index;
+using Eigen::VectorXd;
+
 constexpr int kGrid = 8;                 // cells of a residual, each way
 constexpr std::size_t kFewest = 16;      // samples of each kind
-constexpr int64_t kMostAxes = 256;       // kept; what lies outside them counts as one more
+constexpr Index kMostAxes = 256;         // kept; what lies outside them counts as one more
 constexpr double kResidualFloor = 0.03;  // share of the mean variance added to each axis' own
 constexpr double kStateFloor = 0.003;
 constexpr double kKnown = 0.99;  // share of known pictures that limits are told for
 
 /// As the file holds it, so that what is ranked is what will be judged by.
-torch::Tensor Stored(const torch::Tensor& tensor) {
-  return tensor.to(torch::kHalf).to(torch::kFloat).contiguous();
-}
+double Stored(double value) { return HalfToFloat(FloatToHalf(static_cast<float>(value))); }
 
-torch::Tensor Rows(const std::vector<const std::vector<float>*>& rows) {
-  const auto width = static_cast<int64_t>(rows.front()->size());
-  torch::Tensor all = torch::empty({static_cast<int64_t>(rows.size()), width});
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (static_cast<int64_t>(rows[i]->size()) != width)
-      throw std::invalid_argument("novelty: samples of different sizes");
-    std::copy(rows[i]->begin(), rows[i]->end(), all[static_cast<int64_t>(i)].data_ptr<float>());
-  }
-  return all;
+template <typename Numbers>
+Numbers AllStored(Numbers numbers) {
+  return numbers.unaryExpr([](double value) { return Stored(value); });
 }
 
 template <typename Member>
-torch::Tensor RowsOf(const std::vector<NoveltySample>& samples, Member member) {
-  std::vector<const std::vector<float>*> rows;
-  for (const NoveltySample& sample : samples) rows.push_back(&(sample.*member));
-  return Rows(rows);
+Matrix RowsOf(const std::vector<NoveltySample>& samples, Member member) {
+  const auto width = static_cast<Index>((samples.front().*member).size());
+  Matrix rows(static_cast<Index>(samples.size()), width);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::vector<float>& values = samples[i].*member;
+    if (static_cast<Index>(values.size()) != width)
+      throw std::invalid_argument("novelty: samples of different sizes");
+    std::copy(values.begin(), values.end(), rows.row(static_cast<Index>(i)).begin());
+  }
+  return rows;
 }
 
 /// Where vectors of one kind lie, and how far out the ranked ones are.
 struct Spread {
-  torch::Tensor mean;   // [D]
-  torch::Tensor axes;   // [K,D], of unit length
-  torch::Tensor scale;  // [K + 1]: one over the spread along each axis, and across all others
-  torch::Tensor ranks;  // [N], ascending
+  VectorXd mean;              // [D]
+  Matrix axes;                // [K,D], of unit length
+  VectorXd scale;             // [K + 1]: one over the spread along each axis, and across all others
+  std::vector<double> ranks;  // ascending
 
-  /// Root mean squares of rows [B,D] -> [B], in units of the spread.
-  torch::Tensor Distance(const torch::Tensor& rows) const {
-    const torch::Tensor away = rows - mean;
-    const torch::Tensor along = torch::mm(away, axes.t());
-    const torch::Tensor across =
-        (away.square().sum(1) - along.square().sum(1)).clamp_min(0.0).sqrt();
-    const torch::Tensor all = torch::cat({along, across.unsqueeze(1)}, 1) * scale;
-    return (all.square().sum(1) / static_cast<double>(mean.size(0))).sqrt();
+  /// Root mean square of a vector [D], in units of the spread.
+  double Distance(const VectorXd& values) const {
+    const VectorXd away = values - mean;
+    const VectorXd along = axes * away;
+    const double across = std::max(0.0, away.squaredNorm() - along.squaredNorm());
+    const double far = along.cwiseProduct(scale.head(along.size())).squaredNorm() +
+                       across * scale[along.size()] * scale[along.size()];
+    return std::sqrt(far / static_cast<double>(mean.size()));
   }
 };
 
 /// Principal axes with the greatest variance, each variance lifted by `floor` of their mean, so
 /// that directions in which hardly anything was seen to vary do not drown the others.
-Spread SpreadOf(const torch::Tensor& rows, double floor) {
-  const int64_t dimensions = rows.size(1), kept = std::min(kMostAxes, dimensions);
+Spread SpreadOf(const Matrix& rows, double floor) {
+  const Index dimensions = rows.cols(), kept = std::min(kMostAxes, dimensions);
   Spread spread;
-  spread.mean = Stored(rows.mean(0));
-  const torch::Tensor away = (rows - spread.mean).to(torch::kDouble);
-  const torch::Tensor covariance = torch::mm(away.t(), away) / static_cast<double>(rows.size(0));
-  const auto [values, vectors] = torch::linalg_eigh(covariance);  // ascending
-  const torch::Tensor lifted = values.clamp_min(0.0) + floor * values.mean();
-  spread.axes = Stored(vectors.slice(1, dimensions - kept).t());
-  const torch::Tensor others =
-      kept < dimensions ? lifted.slice(0, 0, dimensions - kept).mean() : floor * values.mean();
-  const torch::Tensor variances =
-      torch::cat({lifted.slice(0, dimensions - kept), others.reshape({1})});
-  spread.scale = Stored(variances.clamp_min(1e-8).rsqrt());
+  spread.mean = AllStored(VectorXd(rows.colwise().mean()));
+  const Matrix away = rows.rowwise() - spread.mean.transpose();
+  const Eigen::MatrixXd covariance = away.transpose() * away / static_cast<double>(rows.rows());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(covariance);  // ascending
+  const VectorXd values = solved.eigenvalues().cwiseMax(0.0);
+  const double lift = floor * solved.eigenvalues().mean();
+  spread.axes = AllStored(Matrix(solved.eigenvectors().rightCols(kept).transpose()));
+  VectorXd variances(kept + 1);
+  variances.head(kept) = values.tail(kept).array() + lift;
+  variances[kept] = kept < dimensions ? values.head(dimensions - kept).mean() + lift : lift;
+  spread.scale = AllStored(VectorXd(variances.cwiseMax(1e-8).cwiseSqrt().cwiseInverse()));
   return spread;
 }
 
-Spread Ranked(Spread spread, const torch::Tensor& rows) {
-  spread.ranks = Stored(std::get<0>(spread.Distance(rows).sort()));
+Spread Ranked(Spread spread, const Matrix& rows) {
+  for (Index i = 0; i < rows.rows(); ++i)
+    spread.ranks.push_back(Stored(spread.Distance(rows.row(i).transpose())));
+  std::sort(spread.ranks.begin(), spread.ranks.end());
   return spread;
 }
 
 /// Of ascending `ranks` the share at least as far out as `distance`, itself among them. What is
 /// compared is rounded as the ranks are.
-double ShareBeyond(const torch::Tensor& ranks, double distance) {
-  const float rounded = Stored(torch::tensor(static_cast<float>(distance))).item<float>();
-  const float* begin = ranks.data_ptr<float>();
-  const float* end = begin + ranks.numel();
-  const auto beyond = static_cast<double>(end - std::lower_bound(begin, end, rounded));
-  return (1 + beyond) / (static_cast<double>(ranks.numel()) + 1);
+double ShareBeyond(const std::vector<double>& ranks, double distance) {
+  const auto first = std::lower_bound(ranks.begin(), ranks.end(), Stored(distance));
+  return (1 + static_cast<double>(ranks.end() - first)) / (static_cast<double>(ranks.size()) + 1);
 }
 
-double LimitOf(const torch::Tensor& ranks) {
-  const auto at = static_cast<int64_t>(std::ceil(kKnown * static_cast<double>(ranks.numel()))) - 1;
-  return ranks[std::clamp<int64_t>(at, 0, ranks.numel() - 1)].item<float>();
+double LimitOf(const std::vector<double>& ranks) {
+  const auto at =
+      static_cast<std::ptrdiff_t>(std::ceil(kKnown * static_cast<double>(ranks.size())));
+  const auto last = static_cast<std::ptrdiff_t>(ranks.size()) - 1;
+  return ranks[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at - 1, 0, last))];
 }
 
 /// The light of `picture` over that of `redrawn`, by least squares.
@@ -151,30 +155,26 @@ NoveltyGauge::NoveltyGauge(const std::vector<NoveltySample>& fit,
                            const std::vector<NoveltySample>& rank) {
   if (fit.size() < kFewest || rank.size() < kFewest)
     throw std::invalid_argument("novelty: too few known pictures to compare with");
-  const c10::InferenceMode inference;
   auto parts = std::make_shared<Parts>();
-  const torch::Tensor residuals = RowsOf(rank, &NoveltySample::residual);
-  const torch::Tensor states = RowsOf(rank, &NoveltySample::state);
-  parts->residual =
-      Ranked(SpreadOf(RowsOf(fit, &NoveltySample::residual), kResidualFloor), residuals);
-  parts->state = Ranked(SpreadOf(RowsOf(fit, &NoveltySample::state), kStateFloor), states);
-  std::vector<float> errors;
-  for (const NoveltySample& sample : rank) errors.push_back(static_cast<float>(sample.error));
+  parts->residual = Ranked(SpreadOf(RowsOf(fit, &NoveltySample::residual), kResidualFloor),
+                           RowsOf(rank, &NoveltySample::residual));
+  parts->state = Ranked(SpreadOf(RowsOf(fit, &NoveltySample::state), kStateFloor),
+                        RowsOf(rank, &NoveltySample::state));
+  std::vector<double> errors;
+  for (const NoveltySample& sample : rank) errors.push_back(sample.error);
   std::sort(errors.begin(), errors.end());
-  parts->error_limit = LimitOf(torch::tensor(c10::ArrayRef<float>(errors.data(), errors.size())));
+  parts->error_limit = LimitOf(errors);
   parts_ = std::move(parts);
 }
 
-std::size_t NoveltyGauge::ranked() const {
-  return static_cast<std::size_t>(parts_->state.ranks.numel());
-}
+std::size_t NoveltyGauge::ranked() const { return parts_->state.ranks.size(); }
 
 Novelty NoveltyGauge::Judge(const NoveltySample& sample) const {
-  const c10::InferenceMode inference;
   const auto distance = [](const Spread& spread, const std::vector<float>& values) {
-    if (static_cast<int64_t>(values.size()) != spread.mean.size(0))
+    if (static_cast<Index>(values.size()) != spread.mean.size())
       throw std::invalid_argument("novelty: a sample of another size than the known ones");
-    return static_cast<double>(spread.Distance(Rows({&values})).item<float>());
+    const auto known = Eigen::Map<const Eigen::VectorXf>(values.data(), spread.mean.size());
+    return spread.Distance(known.cast<double>());
   };
   Novelty novelty;
   novelty.error = sample.error;
@@ -196,11 +196,22 @@ std::string TensorName(const char* kind, const char* part) {
   return std::string("novelty.") + kind + "." + part;
 }
 
-void Put(const char* kind, const Spread& spread, std::map<std::string, torch::Tensor>* tensors) {
-  (*tensors)[TensorName(kind, "mean")] = spread.mean;
-  (*tensors)[TensorName(kind, "axes")] = spread.axes;
-  (*tensors)[TensorName(kind, "scale")] = spread.scale;
-  (*tensors)[TensorName(kind, "ranks")] = spread.ranks;
+StoredTensor StoredMatrix(const Matrix& matrix) {
+  return HalfTensor({matrix.rows(), matrix.cols()},
+                    std::vector<float>(matrix.data(), matrix.data() + matrix.size()));
+}
+
+template <typename Numbers>
+StoredTensor StoredVector(const Numbers& numbers) {
+  return HalfTensor({static_cast<std::int64_t>(numbers.size())},
+                    std::vector<float>(numbers.begin(), numbers.end()));
+}
+
+void Put(const char* kind, const Spread& spread, std::map<std::string, StoredTensor>* tensors) {
+  (*tensors)[TensorName(kind, "mean")] = StoredVector(spread.mean);
+  (*tensors)[TensorName(kind, "axes")] = StoredMatrix(spread.axes);
+  (*tensors)[TensorName(kind, "scale")] = StoredVector(spread.scale);
+  (*tensors)[TensorName(kind, "ranks")] = StoredVector(spread.ranks);
 }
 
 [[noreturn]] void RefuseGauge(const std::string& path) {
@@ -209,34 +220,36 @@ void Put(const char* kind, const Spread& spread, std::map<std::string, torch::Te
                      "./prospect evaluate novelty makes it anew");
 }
 
-torch::Tensor Take(const WeightsFile& file, const std::string& path, const char* kind,
-                   const char* part, int64_t dimensions) {
+/// The numbers of a tensor of `rank` extents, none of which is 0, as a matrix of its last extent.
+Matrix Take(const WeightsFile& file, const std::string& path, const char* kind, const char* part,
+            std::size_t rank) {
   const auto found = file.tensors.find(TensorName(kind, part));
-  if (found == file.tensors.end() || found->second.dim() != dimensions ||
-      found->second.numel() == 0)
-    RefuseGauge(path);
-  torch::Tensor tensor = found->second.to(torch::kFloat).contiguous();
-  if (!torch::isfinite(tensor).all().item<bool>()) RefuseGauge(path);
-  return tensor;
+  if (found == file.tensors.end() || found->second.shape.size() != rank) RefuseGauge(path);
+  const std::vector<float> values = ToFloats(found->second);
+  if (values.empty() || !AllFinite(values)) RefuseGauge(path);
+  const auto count = static_cast<Index>(values.size()), width = Index{found->second.shape.back()};
+  Matrix matrix(count / width, width);
+  std::copy(values.begin(), values.end(), matrix.data());
+  return matrix;
 }
 
 Spread TakeSpread(const WeightsFile& file, const std::string& path, const char* kind) {
   Spread spread;
-  spread.mean = Take(file, path, kind, "mean", 1);
+  spread.mean = Take(file, path, kind, "mean", 1).row(0);
   spread.axes = Take(file, path, kind, "axes", 2);
-  spread.scale = Take(file, path, kind, "scale", 1);
-  spread.ranks = Take(file, path, kind, "ranks", 1);
-  const bool fits =
-      spread.axes.size(1) == spread.mean.size(0) && spread.scale.size(0) == spread.axes.size(0) + 1;
-  const float* ranks = spread.ranks.data_ptr<float>();
-  if (!fits || !std::is_sorted(ranks, ranks + spread.ranks.numel())) RefuseGauge(path);
+  spread.scale = Take(file, path, kind, "scale", 1).row(0);
+  const Matrix ranks = Take(file, path, kind, "ranks", 1);
+  spread.ranks.assign(ranks.data(), ranks.data() + ranks.size());
+  const bool fits = spread.axes.cols() == spread.mean.size() &&
+                    spread.scale.size() == spread.axes.rows() + 1 &&
+                    std::is_sorted(spread.ranks.begin(), spread.ranks.end());
+  if (!fits) RefuseGauge(path);
   return spread;
 }
 
 }  // namespace
 
 std::optional<NoveltyGauge> NoveltyGauge::Load(const std::string& weights_path) {
-  const c10::InferenceMode inference;
   const WeightsFile file = ReadWeights(weights_path);
   if (!file.metadata.contains("novelty")) return std::nullopt;
   auto parts = std::make_shared<Parts>();

@@ -18,17 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-NetworkConfig ConfigOf(const WeightsFile& file, const std::string& path) {
-  NetworkConfig config;
-  try {
-    file.metadata.at("network").get_to(config);
-  } catch (const std::exception& error) {
-    throw WeightsError(path + ": its network configuration is not understood (" + error.what() +
-                       ")");
-  }
-  return config;
-}
-
 EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
   EngineInfo info;
   info.judges = HasModule(file, "value") || HasModule(file, "q");
@@ -109,7 +98,7 @@ class TorchEngine : public Engine {
 
  private:
   TorchEngine(const WeightsFile& file, const std::string& path, int threads)
-      : networks_(ConfigOf(file, path)),
+      : networks_(NetworkConfigOf(file, path)),
         info_(InfoOf(file, networks_.config)),
         weights_hash_(file.hash),
         compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
@@ -213,12 +202,6 @@ class TorchEngine : public Engine {
 
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads) {
   return std::make_unique<TorchEngine>(path, threads);
-}
-
-std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads) {
-  std::unique_ptr<Engine> engine = LoadTorchEngine(path, threads);
-  if (!engine->info().judges) throw WeightsError(path + ": " + kPicturesOnly);
-  return engine;
 }
 
 }  // namespace prospect::model

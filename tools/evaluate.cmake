@@ -15,12 +15,12 @@ add_library(prospect_local_episode STATIC ${evaluate}/decider.cpp ${evaluate}/en
 prospect_target(prospect_local_episode)
 target_link_libraries(prospect_local_episode PUBLIC prospect_agent prospect_sim prospect_model prospect_crew_search)
 
-if(NOT TARGET prospect_training OR NOT TARGET prospect_film)
+if(NOT TARGET prospect_film)
   return()
 endif()
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/record_file.cpp ${evaluate}/shift_sweep.cpp
   ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_scores.cpp
   ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/scene_video.cpp)
 prospect_target(prospect_evaluate_lib)
-target_link_libraries(prospect_evaluate_lib PUBLIC prospect_local_episode prospect_training
-  prospect_tools_common prospect_torch_main prospect_film)
+target_link_libraries(prospect_evaluate_lib PUBLIC prospect_local_episode prospect_score_words
+  prospect_tools_common prospect_film)

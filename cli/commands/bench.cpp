@@ -2,6 +2,7 @@
 
 #include "cli/options/common.h"
 #include "cli/options/rule.h"
+#include "cli/options/weights.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -186,6 +187,21 @@ void Define(CLI::App& app, BenchTrainOptions& options) {
   app.add_option("--seconds", options.seconds, "about so long each stage is measured")
       ->type_name("S")
       ->check(Real(0, 3600))
+      ->capture_default_str();
+  DefineReport(app, options.report);
+}
+
+void Define(CLI::App& app, BenchEngineOptions& options) {
+  DefineTask(app, options.task, Tasks::kAll);
+  DefineWeightsFile(app, options.weights);
+  app.add_option("--batches", options.batches, "rows a question")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->transform(Whole(1, 1024))
+      ->capture_default_str();
+  app.add_option("--pairs", options.pairs, "measurements of each engine, taken in turns")
+      ->type_name("N")
+      ->transform(Whole(1, 1000))
       ->capture_default_str();
   DefineReport(app, options.report);
 }

@@ -85,12 +85,22 @@ struct BenchTrainOptions {
   ReportOptions report;
 };
 
+/// How fast the engine answers on one core, beside libtorch's.
+struct BenchEngineOptions {
+  std::string task = kDefaultTask;
+  std::string weights;                        ///< as WeightsFile()
+  std::vector<int> batches = {1, 4, 16, 64};  ///< rows a question
+  int pairs = 7;  ///< measurements of each, taken in turns; medians are told
+  ReportOptions report;
+};
+
 void Define(CLI::App& app, BenchSearchOptions& options);
 void Define(CLI::App& app, BenchSimulatedOptions& options);
 void Define(CLI::App& app, BenchOverheadOptions& options);
 void Define(CLI::App& app, BenchSimOptions& options);
 void Define(CLI::App& app, BenchPicksOptions& options);
 void Define(CLI::App& app, BenchTrainOptions& options);
+void Define(CLI::App& app, BenchEngineOptions& options);
 std::string Defect(const BenchSearchOptions& options);
 
 }  // namespace prospect::cli

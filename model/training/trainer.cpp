@@ -153,7 +153,7 @@ void AddMissingExtras(const NetworkConfig& config, WeightsFile* weights) {
   for (const auto& item : neutral->named_parameters()) {
     const std::string& name = item.key();
     if (!name.starts_with("modulation.") && !name.starts_with("mask.")) continue;
-    weights->tensors.emplace("transform." + name, item.value().detach());
+    weights->tensors.emplace("transform." + name, ToStored(item.value()));
   }
 }
 

@@ -1,8 +1,8 @@
 // prospect-evaluate: what networks and planner do on scenes that nothing was trained or tuned on,
 // and what is measured there and stored in the weights. Needs no bus.
 
+#include "base/run_main.h"
 #include "cli/program.h"
-#include "tools/common/torch_main.h"
 #include "tools/evaluate/commands.h"
 
 int main(int argc, char** argv) {
@@ -16,5 +16,5 @@ int main(int argc, char** argv) {
       Carries("novelty", "evaluate novelty", tools::RunNovelty),
       Carries("refusals", "evaluate refusals", tools::RunRefusals),
   };
-  return tools::RunTorchMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-evaluate");
+  return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-evaluate", kExitDisk);
 }

@@ -64,7 +64,7 @@ void WarnOfFew(const model::NoveltySource& source) {
 int RunNovelty(const cli::NoveltyOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
   RequireWeightsOf(options.task, weights);
-  const auto engine = model::LoadTorchEngine(weights, 1);
+  const auto engine = model::LoadEngine(weights, 1);
   const auto samples = Samples(options, engine.get());
   const model::NoveltySource source = SourceOf(options);
   const auto middle = samples.begin() + source.fitted;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/novelty.h"
-#include "model/weights.h"
+#include "model/weights_file.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
 

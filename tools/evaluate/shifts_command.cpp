@@ -2,7 +2,7 @@
 
 #include "base/lock.h"
 #include "cli/report_file.h"
-#include "model/weights.h"
+#include "model/weights_file.h"
 #include "report/shift_plot.h"
 #include "tools/common/fork_map.h"
 #include "tools/common/progress.h"
@@ -48,7 +48,7 @@ double ThresholdOf(const cli::EvaluateShiftsOptions& options, const SweepOptions
   double threshold = options.threshold;
   HeedCoverage(sweep.weights, KindOf(*task), &threshold);
   if (threshold >= 0) return threshold;
-  return model::LoadTorchEngine(sweep.weights, 1)->info().refusal_threshold;
+  return model::LoadEngine(sweep.weights, 1)->info().refusal_threshold;
 }
 
 Sweep SweepOf(const cli::EvaluateShiftsOptions& options) {

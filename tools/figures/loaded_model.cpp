@@ -1,73 +1,50 @@
 #include "tools/figures/loaded_model.h"
 
-#include <torch/torch.h>
+#include <memory>
 
-#include <nlohmann/json.hpp>
-
-#include "model/networks/action_head.h"
-#include "model/networks/decoder.h"
-#include "model/networks/light.h"
-#include "model/weights.h"
+#include "model/inference/networks.h"
+#include "model/inference/painting.h"
 
 namespace prospect::figures {
 
 namespace {
 
-model::NetworkConfig ConfigOf(const model::WeightsFile& file, const std::string& path) {
-  try {
-    return file.metadata.at("network").get<model::NetworkConfig>();
-  } catch (const std::exception& error) {
-    throw model::WeightsError(path + ": its network configuration is not understood (" +
-                              error.what() + ")");
-  }
+using model::inference::Arena;
+using NetworksPtr = std::shared_ptr<const model::inference::Networks>;
+
+std::vector<float> Decoded(const NetworksPtr& networks, const model::Hidden& state, Arena& arena) {
+  std::vector<float> picture(static_cast<std::size_t>(networks->config().image_bytes()));
+  networks->Decode(state.data(), picture.data(), arena);
+  return picture;
 }
 
-torch::Tensor State(const model::NetworkConfig& c, const model::Hidden& h) {
-  return torch::from_blob(const_cast<float*>(h.data()),
-                          {1, c.hidden_channels, c.hidden_height(), c.hidden_width()});
-}
-
-torch::Tensor ToTensor(const sim::Image& image) {
-  const torch::Tensor raw = torch::from_blob(const_cast<std::uint8_t*>(image.rgb.data()),
-                                             {1, image.height, image.width, 3}, torch::kUInt8);
-  return raw.permute({0, 3, 1, 2}).contiguous().to(torch::kFloat).div_(255.0F);
-}
-
-sim::Image ToImage(const torch::Tensor& x) {
-  const torch::Tensor bytes =
-      x[0].permute({1, 2, 0}).mul(255.0F).round().clamp(0, 255).to(torch::kUInt8).contiguous();
-  sim::Image image{static_cast<int>(bytes.size(1)), static_cast<int>(bytes.size(0)), {}};
-  image.rgb.assign(bytes.data_ptr<std::uint8_t>(), bytes.data_ptr<std::uint8_t>() + bytes.numel());
-  return image;
-}
-
-Painter MakePainter(const model::WeightsFile& file, const std::string& path) {
-  const model::NetworkConfig config = ConfigOf(file, path);
-  model::Decoder decoder(config);
-  model::LoadModule(file, path, "decoder", decoder.ptr().get());
-  decoder->eval();
-  return [config, decoder](const sim::Image& seen, const model::Hidden& start,
-                           const std::vector<model::Hidden>& states) mutable {
-    const c10::InferenceMode inference;
-    const torch::Tensor gain =
-        model::LightGain(ToTensor(seen), decoder->forward(State(config, start)));
+Painter MakePainter(const NetworksPtr& networks) {
+  return [networks](const sim::Image& seen, const model::Hidden& start,
+                    const std::vector<model::Hidden>& states) {
+    Arena arena;
+    model::inference::SeenPicture from{std::vector<float>(seen.rgb.size()),
+                                       Decoded(networks, start, arena)};
+    model::inference::ToFloats(seen.rgb.data(), seen.rgb.size(), from.seen.data());
     std::vector<sim::Image> pictures;
     for (const model::Hidden& state : states) {
-      pictures.push_back(ToImage(decoder->forward(State(config, state)) * gain));
+      std::vector<float> painted = Decoded(networks, state, arena);
+      PaintOnto(from, {seen.height, seen.width}, /*compose=*/false, painted.data());
+      pictures.push_back({seen.width, seen.height, {}});
+      pictures.back().rgb.resize(painted.size());
+      model::inference::ToBytes(painted.data(), painted.size(), pictures.back().rgb.data());
     }
     return pictures;
   };
 }
 
-DoneHead MakeDoneHead(const model::WeightsFile& file, const std::string& path) {
-  const model::NetworkConfig config = ConfigOf(file, path);
-  model::ActionHead f(config, 1);
-  model::LoadModule(file, path, "f", f.ptr().get());
-  f->eval();
-  return [config, f](const model::Hidden& h0, const model::Hidden& h, int action) mutable {
-    const c10::InferenceMode inference;
-    const torch::Tensor a = torch::full({1}, action, torch::kLong);
-    return torch::sigmoid(f->forward(State(config, h0), State(config, h), a)).item<float>();
+DoneHead MakeDoneHead(const NetworksPtr& networks) {
+  return [networks](const model::Hidden& h0, const model::Hidden& h, int action) {
+    Arena arena;
+    const model::inference::RootPart root = networks->FoldRoot(h0.data(), arena);
+    const model::inference::Networks::Question question{h.data(), &root, action};
+    model::inference::Judgements judgements;
+    networks->Judge({&question, 1}, &judgements, arena);
+    return judgements.done.at(0);
   };
 }
 
@@ -75,10 +52,12 @@ DoneHead MakeDoneHead(const model::WeightsFile& file, const std::string& path) {
 
 LoadedModel LoadWeights(const std::string& path, int threads) {
   LoadedModel loaded;
-  loaded.engine = model::LoadTorchEngine(path, threads);
+  loaded.engine = model::LoadEngine(path, threads);
   const model::WeightsFile file = model::ReadWeights(path);
-  loaded.paint = MakePainter(file, path);
-  if (loaded.engine->info().judges) loaded.done = MakeDoneHead(file, path);
+  const auto networks = std::make_shared<const model::inference::Networks>(
+      model::inference::BestKernels(), file, path);
+  loaded.paint = MakePainter(networks);
+  if (networks->judges()) loaded.done = MakeDoneHead(networks);
   return loaded;
 }
 

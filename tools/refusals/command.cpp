@@ -6,7 +6,7 @@
 #include "cli/report_file.h"
 #include "model/calibration.h"
 #include "model/dataset.h"
-#include "model/weights.h"
+#include "model/weights_file.h"
 #include "report/refusal_plot.h"
 #include "tools/common/extent.h"
 #include "tools/common/words.h"

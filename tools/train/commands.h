@@ -19,5 +19,6 @@ int RunTrain(const cli::TrainOptions& options, const std::string& command);
 int RunTables(const cli::TablesOptions& options);
 
 int RunBenchTrain(const cli::BenchTrainOptions& options);
+int RunBenchEngine(const cli::BenchEngineOptions& options);
 
 }  // namespace prospect::tools

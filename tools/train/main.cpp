@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
       Carries<cli::TrainOptions>("train", "train", train),
       Carries("tables", "tables", tools::RunTables),
       Carries("bench", "bench train", tools::RunBenchTrain),
+      Carries("bench-engine", "bench engine", tools::RunBenchEngine),
   };
   return tools::RunTorchMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-train");
 }

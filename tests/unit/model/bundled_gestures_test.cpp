@@ -32,7 +32,7 @@ TEST(BundledGestures, AreSmallAndPredictPicturesOnly) {
   EXPECT_EQ(metadata["task"], "suturing");
   EXPECT_EQ(metadata["command"].get<std::string>().rfind("./prospect train --task suturing", 0), 0U)
       << metadata["command"];
-  const auto engine = LoadTorchEngine(kWeights, 1);
+  const auto engine = LoadEngine(kWeights, 1);
   EXPECT_FALSE(engine->info().judges);
   EXPECT_EQ(engine->info().num_actions, 15);
   EXPECT_EQ(engine->info().image_width, 128);
@@ -69,7 +69,7 @@ double MeanDifference(const std::vector<std::uint8_t>& a, const std::vector<std:
 
 // The original fed the first gesture twice.
 TEST(BundledGestures, TheSecondPictureFollowsTheSecondGesture) {
-  const auto engine = LoadTorchEngine(kWeights, 1);
+  const auto engine = LoadEngine(kWeights, 1);
   const TrialFile file(kTrials);
   const Trial trial = file.Read(0);
   const Pixels seen(trial.frame(0), trial.frame_bytes());

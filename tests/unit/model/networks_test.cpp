@@ -192,13 +192,15 @@ class WeightsTest : public ::testing::Test {
   }
   void Put(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
   void ExpectRefused(const std::string& reason) const {
-    try {
-      LoadTorchEngine(path_, 1);
-      FAIL() << "expected a refusal: " << reason;
-    } catch (const WeightsError& error) {
-      const std::string what = error.what();
-      EXPECT_NE(what.find("w.safetensors"), std::string::npos) << what;
-      EXPECT_NE(what.find(reason), std::string::npos) << what;
+    for (const auto load : {LoadEngine, LoadTorchEngine}) {
+      try {
+        load(path_, 1);
+        FAIL() << "expected a refusal: " << reason;
+      } catch (const WeightsError& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find("w.safetensors"), std::string::npos) << what;
+        EXPECT_NE(what.find(reason), std::string::npos) << what;
+      }
     }
   }
   TestFolder folder_;
@@ -213,7 +215,7 @@ TEST_F(WeightsTest, ComeBackAsSixteenBitFloats) {
   EXPECT_EQ(file.metadata, metadata_);
   ASSERT_EQ(file.tensors.size(), tensors_.size());
   for (const auto& [name, tensor] : tensors_) {
-    EXPECT_TRUE(file.tensors.at(name).equal(tensor.to(torch::kHalf))) << name;
+    EXPECT_TRUE(ToTorch(file.tensors.at(name)).equal(tensor.to(torch::kHalf))) << name;
   }
   EXPECT_EQ(file.hash, WeightsFileHash(path_));
   EXPECT_FALSE(HasModule(file, "second_classifier"));
@@ -295,6 +297,36 @@ TEST_F(WeightsTest, AConfigurationThatIsNotUnderstoodIsRefused) {
 TEST_F(WeightsTest, ValuesThatSixteenBitsCannotHoldAreNotWritten) {
   tensors_["f.out.bias"] = torch::full({1}, 1e6F);
   EXPECT_THROW(WriteWeights(path_, tensors_, metadata_), WeightsError);
+}
+
+// What is not a number in the file is not a number in any answer.
+TEST_F(WeightsTest, ATensorThatHoldsNoNumberIsRefusedByName) {
+  std::map<std::string, StoredTensor> stored = ReadWeights(path_).tensors;
+  std::string bytes = Bytes();
+  const std::string& scale = stored.at("transform.merge.norm.scale").bytes;
+  const std::size_t at = bytes.rfind(scale);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at] = '\0', bytes[at + 1] = '\x7e';
+  Put(bytes);
+  ExpectRefused("values that are not numbers");
+}
+
+TEST(Half, IsWhatLibtorchMakesOfIt) {
+  std::vector<float> values;
+  for (int i = 0; i < 1 << 16; ++i) {
+    StoredTensor one{
+        StoredTensor::Type::kHalf, {1}, {static_cast<char>(i & 255), static_cast<char>(i >> 8)}};
+    const float value = ToFloats(one).at(0);
+    const float known = ToTorch(one).to(torch::kFloat).item<float>();
+    ASSERT_TRUE(value == known || (std::isnan(value) && std::isnan(known))) << i;
+    if (!std::isfinite(value)) continue;
+    for (const float near :
+         {value, std::nextafter(value, 1e9F), value * 1.0002441F, value * 1.001F})
+      values.push_back(near);
+  }
+  const auto count = static_cast<std::int64_t>(values.size());
+  const StoredTensor half = HalfTensor({count}, values);
+  EXPECT_TRUE(ToTorch(half).equal(torch::tensor(values).to(torch::kHalf)));
 }
 
 TEST_F(WeightsTest, DamagedHeadersNeverCrashTheReader) {

@@ -1,13 +1,11 @@
 #include "model/novelty.h"
 
 #include <gtest/gtest.h>
-#include <torch/torch.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "model/weights.h"
+#include "model/weights_file.h"
 #include "tests/unit/model/test_folder.h"
 
 namespace prospect::model {
@@ -146,10 +144,16 @@ TEST(DescribeNovelty, NamesWhatStandsOutAndItsLimit) {
             "stay below 1.30");
 }
 
+StoredTensor Ones(const std::vector<std::int64_t>& shape) {
+  std::int64_t count = 1;
+  for (const std::int64_t extent : shape) count *= extent;
+  return HalfTensor(shape, std::vector<float>(static_cast<std::size_t>(count), 1.0F));
+}
+
 class StoredNovelty : public testing::Test {
  protected:
   StoredNovelty() : path_(folder_ / "w.safetensors") {
-    WriteWeights(path_, {{"encoder.w", torch::ones({2, 3})}}, {{"task", "navigation"}});
+    WriteWeights(path_, {{"encoder.w", Ones({2, 3})}}, {{"task", "navigation"}});
   }
 
   TestFolder folder_;
@@ -174,13 +178,13 @@ TEST_F(StoredNovelty, JudgesAsBefore) {
   const WeightsFile file = ReadWeights(path_);
   EXPECT_EQ(file.metadata["task"], "navigation");
   EXPECT_EQ(file.metadata["novelty"]["command"], "a command");
-  EXPECT_TRUE(torch::equal(file.tensors.at("encoder.w").to(torch::kFloat), torch::ones({2, 3})));
+  EXPECT_EQ(file.tensors.at("encoder.w").bytes, Ones({2, 3}).bytes);
 }
 
 TEST_F(StoredNovelty, DamageIsNamed) {
   StoreNovelty(path_, Gauge(), {});
   const WeightsFile whole = ReadWeights(path_);
-  const auto expect_refused = [&](const std::map<std::string, torch::Tensor>& tensors) {
+  const auto expect_refused = [&](const std::map<std::string, StoredTensor>& tensors) {
     WriteWeights(path_, tensors, whole.metadata);
     EXPECT_THROW(NoveltyGauge::Load(path_), WeightsError);
   };
@@ -188,10 +192,12 @@ TEST_F(StoredNovelty, DamageIsNamed) {
   damaged.erase("novelty.state.axes");
   expect_refused(damaged);
   damaged = whole.tensors;
-  damaged["novelty.state.mean"] = torch::ones({kState + 1});
+  damaged["novelty.state.mean"] = Ones({kState + 1});
   expect_refused(damaged);
   damaged = whole.tensors;
-  damaged["novelty.residual.ranks"] = -whole.tensors.at("novelty.residual.ranks");
+  std::vector<float> ranks = ToFloats(whole.tensors.at("novelty.residual.ranks"));
+  std::reverse(ranks.begin(), ranks.end());
+  damaged["novelty.residual.ranks"] = HalfTensor({static_cast<std::int64_t>(ranks.size())}, ranks);
   expect_refused(damaged);
 }
 

@@ -79,7 +79,7 @@ TEST_F(TrainingTest, AWholeRunGivesWeightsThatLoadAndIsSkippedTheSecondTime) {
   RoundToHalf(trainer.context().networks);
   const nlohmann::json scores = ComputeScores(trainer.context(), trainer.file(), 2);
   const std::string path = ExportWeights(trainer, scores);
-  EXPECT_EQ(LoadTorchEngine(path, 1)->info().task, "made");
+  EXPECT_EQ(LoadEngine(path, 1)->info().task, "made");
   EXPECT_TRUE(scores["pictures"]["x2"].contains("copy_mae_changed"));
   EXPECT_GT(scores["pictures"]["x1"]["noise_floor"].get<double>(), 0.001);
   EXPECT_EQ(scores["f"]["imagined"]["samples"], scores["value"]["imagined"]["samples"]);
@@ -192,7 +192,7 @@ TEST_F(TrainingTest, WithoutFailuresTheWeightsPredictPicturesOnly) {
   EXPECT_FALSE(std::filesystem::exists(ClassifiersPath(path)));
   EXPECT_FALSE(HasModule(ReadWeights(path), "value"));
 
-  const auto engine = LoadTorchEngine(path, 1);
+  const auto engine = LoadEngine(path, 1);
   EXPECT_FALSE(engine->info().judges);
   const std::vector<std::uint8_t> picture(32 * 32 * 3, 90);
   const Hidden h = engine->Encode(picture);
@@ -245,7 +245,7 @@ TEST_F(TrainingTest, WeightsWithoutTsExtrasAreGoneOnFromWithThem) {
   config.linked_steps = 3, config.linked_from = 1;
   Trainer extended(config, options);
   extended.Run();
-  const auto engine = LoadTorchEngine(ExportWeights(extended, nlohmann::json::object()), 1);
+  const auto engine = LoadEngine(ExportWeights(extended, nlohmann::json::object()), 1);
   const Hidden h = engine->Encode(std::vector<std::uint8_t>(32 * 32 * 3, 90));
   EXPECT_EQ(engine->Expand({{h, h, 1}}).front().h.size(), h.size());
 }
@@ -338,7 +338,7 @@ TEST_F(TrainingTest, TheSecondStepIsOfTheSecondAction) {
   trainer.Run();
   const std::string path =
       ExportWeights(trainer, ComputeScores(trainer.context(), trainer.file(), 1));
-  const auto engine = LoadTorchEngine(path, 1);
+  const auto engine = LoadEngine(path, 1);
   const std::vector<std::uint8_t> seen(32 * 32 * 3, 90);
   const Hidden h0 = engine->Encode(seen);
   const Hidden h1 = engine->Expand({{h0, h0, a1}}).front().h;

@@ -22,7 +22,7 @@ struct Known {
   std::vector<model::NoveltySample> fresh;  // of further scenes
 
   Known()
-      : engine(model::LoadTorchEngine(
+      : engine(model::LoadEngine(
             std::string(PROSPECT_ROOT) + "/model/weights/navigation.safetensors", 1)),
         task(sim::MakeTask("navigation")) {
     std::vector<model::NoveltySample> fit, rank;

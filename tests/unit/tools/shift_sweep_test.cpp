@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "model/weights.h"
+#include "model/weights_file.h"
 #include "tools/evaluate/episode.h"
 #include "tools/evaluate/record_file.h"
 #include "tools/evaluate/search_deciders.h"
@@ -33,7 +33,7 @@ SweepOptions Options() {
 TEST(ShiftSweep, IsAnOpenLoopWithShiftedPictures) {
   const SweepOptions options = Options();
   ShiftSweep sweep(options);
-  const auto engine = model::LoadTorchEngine(options.weights, 1);
+  const auto engine = model::LoadEngine(options.weights, 1);
   int attempted = 0;
   for (std::uint64_t seed = kScene; seed < kScene + 3; ++seed) {
     const json record = sweep.Run(seed);
