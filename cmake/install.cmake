@@ -32,7 +32,7 @@ list(REMOVE_ITEM programs prospect)
 install(TARGETS prospect RUNTIME DESTINATION bin)
 install(TARGETS ${programs} RUNTIME DESTINATION lib/prospect)
 set(data share/prospect)
-install(DIRECTORY config DESTINATION ${data})
+install(DIRECTORY config tasks DESTINATION ${data} PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY model/held_out DESTINATION ${data}/model)
 # Classifiers read labels when networks are scored in training; nothing else asks for them.
 install(DIRECTORY model/weights DESTINATION ${data}/model PATTERN *-classifiers.safetensors EXCLUDE)
