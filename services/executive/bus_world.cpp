@@ -1,5 +1,6 @@
 #include "services/executive/bus_world.h"
 
+#include "services/executive/known_task.h"
 #include "services/executive/preparation.h"
 #include "services/executive/task_view_messages.h"
 
@@ -53,6 +54,7 @@ agent::Glimpse BusWorld::Begin() {
   PrepareScene(talk_, options_);
   const observation_t first = services::Look(talk_, 0);
   talk_.HoldTask();
+  RequireAgreement(options_.task, *talk_.view().task(), talk_.bus().url());
   task_ = TaskViewOf(*talk_.view().task());
   return GlimpseOf(first);
 }
