@@ -47,7 +47,7 @@ void BusWorld::Await() {
   RequireWorld(talk_, options_);
   talk_.HoldWorld();
   if (options_.reset || !options_.explain_only) talk_.ClaimRobot();
-  task_ = TaskViewOf(*talk_.view().task());
+  task_ = TaskViewOf(*talk_.view().task(), options_.task);
 }
 
 agent::Glimpse BusWorld::Begin() {
@@ -55,7 +55,7 @@ agent::Glimpse BusWorld::Begin() {
   const observation_t first = services::Look(talk_, 0);
   talk_.HoldTask();
   RequireAgreement(options_.task, *talk_.view().task(), talk_.bus().url());
-  task_ = TaskViewOf(*talk_.view().task());
+  task_ = TaskViewOf(*talk_.view().task(), options_.task);
   return GlimpseOf(first);
 }
 
