@@ -1,31 +1,37 @@
-// A robot in the simulator's place, with nothing but LCM and the generated message types: a toy
-// rover among four things, seen from above. Put a camera into Look() and controllers into Drive().
+// A robot in the simulator's place, with nothing but LCM and the generated message types: the
+// sorting table of world.h on the bus. Put a camera and controllers in the place of World.
 // ./prospect check-robot tells whether a robot keeps to the rules.
+#include <unistd.h>
+
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <optional>
+#include <random>
 #include <string>
 
 #include "examples/keyed/keyed.h"
 #include "prospect/action_command_t.hpp"
 #include "prospect/action_status_t.hpp"
 #include "prospect/health_t.hpp"
+#include "prospect/label_t.hpp"
 #include "prospect/observation_t.hpp"
+#include "prospect/sim_command_t.hpp"
 #include "prospect/task_t.hpp"
 #include "services/common/host_filter.h"
+#include "world.h"
 
 using namespace prospect;
 
-constexpr int kSide = 64, kHere = 4;
-constexpr std::int64_t kTick = 100'000, kSilent = 3'000'000, kLimit = 10'000'000;  // microseconds
-const char* const kLate = "time";
-const char* const kThings[] = {"barrel", "barricade", "pylon", "block",
-                               "spool",  "generator", "cabin"};
-const double kWhere[kHere][2] = {{14, 50}, {50, 48}, {48, 14}, {16, 16}};  // pixels
+constexpr std::int64_t kTick = 500'000, kSilent = 3'000'000;  // microseconds
+const std::pair<const char*, const char*> kCauses[] = {
+    {"reach", "it stands out of this gripper's reach"},
+    {"blocked", "another block stands on it"},
+    {"gone", "it was put away before"},
+    {"lid", "the lid is on this bin"},
+    {"full", "this bin is full"}};
 
 // The wall clock may jump: it stamps messages, and all time-outs go by the steady one.
 template <class Clock>
@@ -34,31 +40,54 @@ std::int64_t Microseconds() {
   return std::chrono::duration_cast<std::chrono::microseconds>(since).count();
 }
 std::int64_t Now() { return Microseconds<std::chrono::steady_clock>(); }
-std::int64_t Utime() { return Microseconds<std::chrono::system_clock>(); }
+
+std::int64_t AnyId() {
+  std::random_device random;
+  return (static_cast<std::int64_t>(random() >> 2) << 32 | random()) + 1;
+}
 
 class Robot {
  public:
   // LCM opens its socket at the first subscription; the filter keeps out what would end it.
-  Robot(const std::string& bus, const std::string& key_file) : filter_(bus), lcm_(bus) {
+  Robot(const std::string& bus, const std::string& key_file, double speed)
+      : filter_(bus),
+        lcm_(bus),
+        tick_(speed > 0 ? static_cast<std::int64_t>(static_cast<double>(kTick) / speed) : 0) {
     if (!key_file.empty()) key_.emplace(key_file);
     lcm_.subscribe("ACTION_COMMAND", &Robot::Hear<action_command_t>, this);
+    lcm_.subscribe("SIM_COMMAND", &Robot::Hear<sim_command_t>, this);
     lcm_.subscribe("HEALTH", &Robot::Hear<health_t>, this);
     if (!filter_.InForce()) throw std::runtime_error("the bus cannot be opened: " + bus);
-    status_.episode_id = id_ / 1'000'000;  // any number that names this episode
-    status_.action = -1;
-    status_.state = action_status_t::STATE_IDLE;
+    BeginEpisode(AnyId(), 0, 0);
   }
 
   void Run() {
-    for (std::int64_t next = Now(); lcm_.handleTimeout(10) >= 0;) {
-      if (Now() < next) continue;
-      next += kTick;
-      Tick();
+    std::int64_t due = Now();
+    for (int half_seconds = 0;;) {
+      if (running() && Now() >= next_tick_) Tick();
+      WatchHolder();
+      if (Now() >= due) {  // at least at 2 Hz, and once a second
+        due = Now() + 500'000;
+        Publish("ACTION_STATUS", &status_);
+        if (half_seconds++ % 2 == 0) SayHealth(), SayTask(), Look();
+      }
+      const std::int64_t wait = (running() ? std::min(due, next_tick_) : due) - Now();
+      if (lcm_.handleTimeout(static_cast<int>(std::max<std::int64_t>(wait, 0) / 1000)) < 0) return;
     }
   }
 
  private:
   bool running() const { return status_.state == action_status_t::STATE_RUNNING; }
+  bool HeldByAnother(std::int64_t id) const { return status_.holder_id && status_.holder_id != id; }
+
+  void BeginEpisode(std::int64_t episode, std::int64_t seed, std::int64_t holder) {
+    world_ = sorting::World(static_cast<std::uint64_t>(seed));
+    status_ = action_status_t{};
+    status_.episode_id = episode, status_.holder_id = holder, status_.action = -1;
+    status_.state = action_status_t::STATE_IDLE;
+    status_.outcome = label_t::OUTCOME_RUNNING;
+    heard_ = Now();
+  }
 
   // With a key, who does not have it is not heard.
   template <class T>
@@ -68,111 +97,134 @@ class Robot {
     if (key_ && !key_->Verify(channel, &bytes)) return;
     T message{};
     const int size = static_cast<int>(bytes.size());
-    if (message.decode(bytes.data(), 0, size) == size) On(&message);
+    if (message.decode(bytes.data(), 0, size) == size) On(message);
   }
 
-  // A command is carried out once, however often it arrives: the ids of an executive grow.
-  void On(const action_command_t* c) {
-    std::int64_t& latest = taken_[c->executive_id];
-    if (c->command_id <= latest) return;
-    latest = c->command_id;
-    const bool start = c->kind == action_command_t::KIND_START;
-    std::string refusal;
-    if (start && (c->action < 0 || c->action >= kHere)) refusal = "there is no such thing here";
+  // Each command is carried out once, however often it arrives: the ids of a sender grow.
+  static bool IsNew(std::map<std::int64_t, std::int64_t>* taken, std::int64_t sender,
+                    std::int64_t id) {
+    std::int64_t& latest = taken->try_emplace(sender, -1).first->second;
+    if (id <= latest) return false;
+    latest = id;
+    return true;
+  }
+
+  void On(const action_command_t& c) {
+    if (!IsNew(&actions_, c.executive_id, c.command_id)) return Publish("ACTION_STATUS", &status_);
+    const bool start = c.kind == action_command_t::KIND_START;
+    std::string refusal = start ? world_.Refusal(c.action) : "";
     if (start && running()) refusal = "another action is running";
-    if (c->episode_id != status_.episode_id) refusal = "meant for another episode";
-    // Whoever's command was carried out first holds the robot; others are told so.
-    const bool busy = status_.holder_id != 0 && status_.holder_id != c->executive_id;
+    if (c.episode_id != status_.episode_id)
+      refusal = "meant for another episode: here is " + std::to_string(status_.episode_id);
+    const bool busy = HeldByAnother(c.executive_id);
     if (busy) refusal = "busy, held by executive " + std::to_string(status_.holder_id);
     const action_status_t before = status_;
-    status_.executive_id = c->executive_id;
-    status_.command_id = c->command_id;
+    status_.executive_id = c.executive_id;
+    status_.command_id = c.command_id;
     status_.reason = refusal;
-    if (start) status_.state = action_status_t::STATE_RUNNING;
-    if (!start && running()) status_.state = action_status_t::STATE_CANCELLED;
-    if (!refusal.empty()) status_.state = action_status_t::STATE_REFUSED;
-    if (start && refusal.empty()) {
-      status_.action = c->action, status_.holder_id = c->executive_id;
-      began_ = heard_ = Now();
+    if (!refusal.empty()) {
+      status_.state = action_status_t::STATE_REFUSED;
+    } else if (start) {
+      Start(c);
+    } else if (running()) {
+      Stop();
     }
     Publish("ACTION_STATUS", &status_);
-    const bool apart = busy || before.state == action_status_t::STATE_RUNNING;
-    if (!refusal.empty() && apart) status_ = before;
+    // A refusal while an action runs or another holds the robot is told once, and changes nothing.
+    if (!refusal.empty() && (busy || before.state == action_status_t::STATE_RUNNING))
+      status_ = before;
   }
 
-  void On(const health_t* h) {
-    if (h->instance_id != status_.holder_id) return;
-    heard_ = h->state == health_t::STATE_DRAINING ? Now() - 2 * kSilent : Now();  // it leaves
+  void Start(const action_command_t& c) {
+    world_.Begin(c.action);
+    status_.action = c.action, status_.holder_id = c.executive_id;
+    status_.state = action_status_t::STATE_RUNNING;
+    heard_ = next_tick_ = Now();
+  }
+
+  void Stop() {
+    world_.Stop();
+    status_.state = action_status_t::STATE_CANCELLED;
+  }
+
+  // A new scene, as a simulator puts it up; a robot that cannot tidy its table begins an episode
+  // with what lies there.
+  void On(const sim_command_t& c) {
+    if (c.kind != sim_command_t::KIND_RESET || !IsNew(&resets_, c.sender_id, c.command_id)) return;
+    if (!HeldByAnother(c.sender_id) && c.present_episode_id == status_.episode_id) {
+      BeginEpisode(c.episode_id, c.seed, c.sender_id);
+      Look();
+    }
+    Publish("ACTION_STATUS", &status_);
+  }
+
+  void On(const health_t& h) {
+    if (h.instance_id != status_.holder_id) return;
+    heard_ = h.state == health_t::STATE_DRAINING ? Now() - 2 * kSilent : Now();  // it leaves
+  }
+
+  void WatchHolder() {
+    if (status_.holder_id == 0 || Now() - heard_ <= kSilent) return;
+    if (running()) Stop();
+    status_.holder_id = 0;  // free for another executive
+    Publish("ACTION_STATUS", &status_);
   }
 
   void Tick() {
-    if (running()) {
-      ++status_.frame;
-      if (!Drive()) status_.state = action_status_t::STATE_SUCCEEDED;
-      if (Now() - began_ > kLimit)
-        status_.state = action_status_t::STATE_FAILED, status_.reason = kLate;
-      if (Now() - heard_ > kSilent) status_.state = action_status_t::STATE_CANCELLED;
-      Look();
-      Publish("ACTION_STATUS", &status_);  // at every change, and at least at 2 Hz
-    }
-    if (Now() - heard_ > kSilent) status_.holder_id = 0;  // free for another executive
-    if (ticks_++ % 5 == 0) Publish("ACTION_STATUS", &status_);
-    if (ticks_ % 10 != 1) return;
-    Look();  // the last picture again
-    SayHealth();
-    SayTask();
-  }
-
-  bool Drive() {  // a step towards the thing; false once it is near
-    const double dx = kWhere[status_.action][0] - x_, dy = kWhere[status_.action][1] - y_;
-    const double away = std::hypot(dx, dy);
-    x_ += 0.45 * dx / away, y_ += 0.45 * dy / away;
-    return away > 10;
+    next_tick_ = std::max(next_tick_ + tick_, Now());
+    ++status_.frame;
+    status_.sim_time_us = kTick * status_.frame;
+    const bool goes_on = world_.Tick();
+    Look();
+    if (goes_on) return;
+    status_.reason = world_.cause();
+    const bool failed = !status_.reason.empty();
+    status_.state = failed ? action_status_t::STATE_FAILED : action_status_t::STATE_SUCCEEDED;
+    if (failed) status_.outcome = label_t::OUTCOME_FAILURE;
+    if (world_.done()) status_.outcome = label_t::OUTCOME_SUCCESS;
+    Publish("ACTION_STATUS", &status_);
   }
 
   void Look() {
-    observation_t o{0, Now() - start_, status_.episode_id, status_.frame};
+    observation_t o{0, status_.sim_time_us, status_.episode_id, status_.frame};
     o.encoding = observation_t::ENCODING_RGB8;
-    o.width = o.height = kSide, o.num_bytes = kSide * kSide * 3;
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const int x = i % kSide, y = i / kSide;
-      std::uint8_t grey = std::hypot(x - x_, y - y_) < 5 ? 60 : 150;
-      for (const auto& at : kWhere) grey = std::hypot(x - at[0], y - at[1]) < 4 ? 220 : grey;
-      o.data.insert(o.data.end(), 3, grey);
-    }
+    o.width = o.height = sorting::kPixels;
+    o.data = world_.Picture();
+    o.num_bytes = static_cast<std::int32_t>(o.data.size());
     Publish("OBSERVATION", &o);
   }
 
   void SayHealth() {
     health_t h{0, "simulator", id_};  // whose place it takes
-    h.state = health_t::STATE_READY;
+    h.pid = getpid();
+    h.state = running() ? health_t::STATE_BUSY : health_t::STATE_READY;
     Publish("HEALTH", &h);
   }
 
   void SayTask() {
     task_t t{};
-    t.name = "navigation";
-    t.task_hash = 4711;  // any number that changes with the table
-    t.num_actions = t.num_initial = 7;
-    for (int i = 0; i < t.num_actions; ++i) {
-      t.actions.push_back({i, std::string("investigate(") + kThings[i] + ")", "investigate"});
-      t.actions[i].object = kThings[i];
-      t.actions[i].num_successors = t.num_actions;
-      t.initial.push_back(i);
+    t.name = "sorting", t.world_version = "1", t.task_hash = 1;  // change them with the table
+    for (const sorting::Action& action : sorting::kActions) {
+      const std::string kind = Kind(action), thing = Thing(action);
+      t.actions.push_back({t.num_actions++, kind + "(" + thing + ")", kind, thing});
+      action_t& row = t.actions.back();
+      row.successors = action.take ? sorting::kPuts[action.side] : sorting::kTakes;
+      row.num_successors = static_cast<std::int32_t>(row.successors.size());
     }
-    for (action_t& action : t.actions) action.successors = t.initial;  // any may follow any
-    t.plan_length = 3;
-    t.image_width = t.image_height = kSide;
-    t.tick_seconds = 0.1;
-    t.action_time_limit = 10;
-    t.causes = {{kLate, "it ran out of time"}};  // what may go wrong, in words for people
+    t.initial = sorting::kTakes;
+    t.num_initial = static_cast<std::int32_t>(t.initial.size());
+    t.plan_length = sorting::kPlanLength;
+    t.image_width = t.image_height = sorting::kPixels;
+    t.tick_seconds = 1e-6 * kTick;
+    t.action_time_limit = 2 * sorting::kTicks * t.tick_seconds;
+    for (const auto& [name, words] : kCauses) t.causes.push_back({name, words});
     t.num_causes = static_cast<std::int32_t>(t.causes.size());
     Publish("TASK", &t);
   }
 
   template <class T>
   void Publish(const char* channel, T* message) {
-    message->utime = Utime();
+    message->utime = Microseconds<std::chrono::system_clock>();
     Keyed::Bytes bytes(static_cast<std::size_t>(message->getEncodedSize()));
     message->encode(bytes.data(), 0, static_cast<int>(bytes.size()));
     if (key_) bytes = key_->Sign(channel, bytes);
@@ -182,28 +234,34 @@ class Robot {
   prospect::services::HostFilter filter_;
   lcm::LCM lcm_;
   std::optional<Keyed> key_;  // none: an open bus, where whoever can send moves this robot
-  const std::int64_t id_ = Utime(), start_ = Now();
+  const std::int64_t id_ = AnyId(), tick_;
+  sorting::World world_{0};
   action_status_t status_{};
-  std::map<std::int64_t, std::int64_t> taken_;  // latest command of each executive, refused or not
-  std::int64_t began_ = 0, heard_ = 0;
-  int ticks_ = 0;
-  double x_ = 32, y_ = 32;
+  std::map<std::int64_t, std::int64_t> actions_, resets_;  // latest command of each sender
+  std::int64_t heard_ = 0, next_tick_ = 0;
 };
+
+int Usage(int code) {
+  std::printf(
+      "usage: example-robot [--bus URL] [--key FILE] [--speed FACTOR]\n"
+      "--speed 1: as a clock runs (the default); 0: as fast as it can\n");
+  return code;
+}
 
 int main(int argc, char** argv) {
   const char* const key = std::getenv("PROSPECT_KEY_FILE");
   const char* const url = std::getenv("LCM_DEFAULT_URL");
-  std::string bus = url ? url : "udpm://239.255.76.67:7667?ttl=0", key_file = key ? key : "";
+  std::map<std::string, std::string> options = {
+      {"--bus", url ? url : "udpm://239.255.76.67:7667?ttl=0"},
+      {"--key", key ? key : ""},
+      {"--speed", "1"}};
   for (int i = 1; i < argc; i += 2) {
-    const std::string option = argv[i];
-    if ((option != "--bus" && option != "--key") || i + 1 == argc) {
-      std::printf("usage: example-robot [--bus URL] [--key FILE]\n");
-      return option == "--help" ? 0 : 2;
-    }
-    (option == "--bus" ? bus : key_file) = argv[i + 1];
+    if (std::string(argv[i]) == "--help") return Usage(0);
+    if (options.count(argv[i]) == 0 || i + 1 == argc) return Usage(2);
+    options[argv[i]] = argv[i + 1];
   }
   try {
-    Robot(bus, key_file).Run();
+    Robot(options["--bus"], options["--key"], std::stod(options["--speed"])).Run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 2;
