@@ -68,6 +68,7 @@ if(NOT TARGET prospect_robot)
 endif()
 install(TARGETS schema_gen RUNTIME DESTINATION lib/prospect)  # tells `prospect messages`
 install(DIRECTORY lcmtypes DESTINATION ${data} FILES_MATCHING PATTERN *.lcm PATTERN schema_gen EXCLUDE)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/share/python DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
 if(TARGET prospect_types_jar)
   install(FILES ${PROSPECT_JAR} DESTINATION ${data})
 endif()

@@ -78,7 +78,7 @@ build_robot() {  # build_robot FOLDER TARGET
   says 0 'Configuring done' cmake -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release
   says 0 "Built target $2" cmake --build "$1/build"
 }
-somebody cp -r "$doc/examples/robot" "$home/robot" && somebody chmod -R u+w "$home/robot"
+somebody cp -r "$doc/examples/robots/cpp" "$home/robot" && somebody chmod -R u+w "$home/robot"
 build_robot "$home/robot" example-robot
 somebody mkdir "$home/rover" && somebody mv "$home/rover.cpp" "$home/rover"
 sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$doc/docs/robots.md" | somebody tee "$home/rover/CMakeLists.txt" >/dev/null
