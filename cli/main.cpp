@@ -10,11 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/nearest.h"
 #include "base/run_main.h"
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/installation.h"
-#include "cli/nearest.h"
 #include "cli/run/invocation.h"
 #include "cli/run/processes.h"
 #include "cli/table.h"
@@ -50,7 +50,7 @@ bool AsksForHelp(const Words& words) {
 int TellUnknown(const std::string& typed) {
   Words names;
   for (const Command& command : Commands()) names.push_back(command.name);
-  const std::string nearest = NearestWord(typed, names);
+  const std::string nearest = base::NearestWord(typed, names);
   return Fail(2, "unknown command '" + typed + "'" +
                      (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " (" +
                      TypedName() + " --help lists all)");

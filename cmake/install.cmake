@@ -39,7 +39,7 @@ foreach(program prospect-train prospect-figures)
   endif()
 endforeach()
 set(data share/prospect)
-install(DIRECTORY config DESTINATION ${data})
+install(DIRECTORY config tasks DESTINATION ${data} PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY model/held_out DESTINATION ${data}/model)
 # Classifiers read labels when networks are scored in training; nothing else asks for them.
 install(DIRECTORY model/weights DESTINATION ${data}/model PATTERN *-classifiers.safetensors EXCLUDE)
