@@ -4,6 +4,8 @@
 //   prospect --dry-run COMMAND ...    only checks the arguments: 0, or 2
 //   prospect --programs COMMAND ...   checks them and prints the programs that the command needs
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -56,6 +58,10 @@ int TellUnknown(const std::string& typed) {
 
 int BecomeProgram(const Command& command, const Words& typed) {
   Words words = StartOf(command);
+  if (IsInstalled() && access(words[0].c_str(), X_OK) != 0) {
+    return Fail(127, words[0] + " is missing; programs that train come with the Debian package " +
+                         "prospect-train");
+  }
   words.insert(words.end(), typed.begin(), typed.end());
   return Become(words);
 }
