@@ -85,13 +85,16 @@ void Define(CLI::App& app, RunOptions& options) {
   DefineEpisode(app, options.episode);
   DefineSceneFile(app, options.episode.scene);
   DefineActing(app, options.acting);
+  DefineTrialLoop(app, options.trials);
   DefineNoReset(app, options.reset);
   DefineWeights(app, options.weights);
   DefineBus(app, options.episode.bus);
 }
 
 std::string Defect(const RunOptions& options) {
-  return First(EpisodeDefect(options.episode), NoResetDefect(options.reset, options.episode.scene));
+  return First(
+      TrialLoopDefect(options.trials, options.acting),
+      First(EpisodeDefect(options.episode), NoResetDefect(options.reset, options.episode.scene)));
 }
 
 }  // namespace prospect::cli

@@ -45,6 +45,7 @@ std::string Defect(const UpOptions& options);
 struct RunOptions {
   EpisodeOptions episode;
   ActingOptions acting;
+  TrialLoopOptions trials;
   std::string weights;  ///< that must be up; empty: whatever is
   bool reset = true;    ///< false: the scene as it is, as on a robot
 };

@@ -7,6 +7,7 @@ namespace prospect::cli {
 void Define(CLI::App& app, ExecutiveOptions& options) {
   DefineEpisode(app, options.episode);
   DefineActing(app, options.acting);
+  DefineTrialLoop(app, options.trials);
   DefineNoReset(app, options.reset);
   app.add_option("--world", options.world,
                  "the world_version that TASK must have, as prospect-simulator --check says it")
@@ -21,7 +22,7 @@ void Define(CLI::App& app, ExecutiveOptions& options) {
 std::string Defect(const ExecutiveOptions& options) {
   if (options.explain_only && options.acting.policy != "search")
     return "--explain-only needs --policy search";
-  return "";
+  return TrialLoopDefect(options.trials, options.acting);
 }
 
 }  // namespace prospect::cli

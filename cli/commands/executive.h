@@ -12,6 +12,7 @@ namespace prospect::cli {
 struct ExecutiveOptions {
   EpisodeOptions episode;
   ActingOptions acting;
+  TrialLoopOptions trials;
   bool reset = true;          ///< false: the scene as it is
   std::string world;          ///< world_version that TASK must have; empty: any
   bool explain_only = false;  ///< searches once, tells why, and carries nothing out

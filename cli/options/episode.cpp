@@ -84,6 +84,24 @@ void DefineActing(CLI::App& app, ActingOptions& options) {
   DefineRecovery(app, options.retries, options.surprise);
 }
 
+void DefineTrialLoop(CLI::App& app, TrialLoopOptions& options) {
+  CLI::Option* episodes =
+      app.add_option("--episodes", options.episodes,
+                     "with --policy collect: so many trials, one scene after another, those that "
+                     "--out counts already included")
+          ->type_name("N")
+          ->transform(Whole(1, 10'000'000))
+          ->default_str("a single one");
+  app.add_flag("--pause", options.pause,
+               "wait for Enter before each of them, where a person sets the scene up")
+      ->needs(episodes);
+}
+
+std::string TrialLoopDefect(const TrialLoopOptions& options, const ActingOptions& acting) {
+  if (options.episodes == 0 || acting.policy == "collect") return "";
+  return "--episodes collects trials: it needs --policy collect";
+}
+
 void DefineNoReset(CLI::App& app, bool& reset) {
   app.add_flag("!--no-reset", reset, "take the scene as it is, as on a robot");
 }

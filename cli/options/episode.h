@@ -47,10 +47,20 @@ struct ActingOptions {
   std::optional<double> surprise;  ///< it is lost where a patch differs more; left out: 0.3
 };
 
+/// Trials for training, one after another.
+struct TrialLoopOptions {
+  std::int64_t episodes = 0;  ///< in all, those of earlier calls too; 0: a single episode
+  bool pause = false;         ///< before each, until Enter is typed
+};
+
 void DefineEpisode(CLI::App& app, EpisodeOptions& options);
 
 /// Adds --policy, --retries and --surprise.
 void DefineActing(CLI::App& app, ActingOptions& options);
+
+/// Adds --episodes and --pause.
+void DefineTrialLoop(CLI::App& app, TrialLoopOptions& options);
+std::string TrialLoopDefect(const TrialLoopOptions& options, const ActingOptions& acting);
 
 /// Adds --workers.
 void DefineWorkers(CLI::App& app, int& workers);

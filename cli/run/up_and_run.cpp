@@ -118,7 +118,8 @@ int Run(const RunOptions& options, const Invocation& invocation) {
   const std::string out = episode.out.empty() ? UsualFolder(task, episode.seed) : episode.out;
   const int status = RunExecutive(invocation, {bus, out, workers, world});
   if (episode.report.talks())
-    TellFiles(out, {"plan.png", "explain.html", "episode.mp4", "result.json"}, start);
+    TellFiles(out, {"plan.png", "explain.html", "episode.mp4", "result.json", "trials.json"},
+              start);
   return status;
 }
 

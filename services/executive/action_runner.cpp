@@ -26,7 +26,7 @@ std::string StateName(std::int8_t state) {
 action_command_t ActionRunner::NextCommand(std::int8_t kind, int action) {
   action_command_t command{};
   command.executive_id = talk_.id();
-  command.command_id = ++last_command_id_;
+  command.command_id = talk_.NextCommandId();
   command.episode_id = talk_.view().episode_id();
   command.kind = kind;
   command.action = action;

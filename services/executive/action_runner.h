@@ -21,9 +21,6 @@ class ActionRunner {
   /// kExitInterrupted after a stop signal; whatever is thrown, the action is cancelled first.
   action_status_t CarryOut(int action);
 
-  /// Commands sent so far, repeats left out.
-  std::int64_t commands() const { return last_command_id_; }
-
  private:
   action_command_t NextCommand(std::int8_t kind, int action);
   std::string NameOf(const action_command_t& command) const;
@@ -34,7 +31,6 @@ class ActionRunner {
   void CancelQuietly();
 
   Conversation& talk_;
-  std::int64_t last_command_id_ = 0;
 };
 
 /// "idle", "running", "succeeded", "failed", "cancelled", "refused".

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/random.h"
 #include "services/executive/plan_message.h"
 #include "services/executive/policy.h"
 
@@ -12,13 +13,21 @@ namespace {
 
 constexpr std::int64_t kLabelMs = 3000;
 
+// Of the scene; one that was not made from a seed is told from others by its episode's name.
+std::uint64_t SeedFor(const BusView& view, const ExecutiveOptions& options) {
+  const auto wanted = static_cast<std::uint64_t>(options.seed);
+  if (view.label() && view.label()->seed >= 0)
+    return static_cast<std::uint64_t>(view.label()->seed);
+  if (options.reset) return wanted;
+  return base::MixSeeds({wanted, static_cast<std::uint64_t>(view.episode_id())});
+}
+
 std::vector<int> PlanFor(Conversation& talk, const ExecutiveOptions& options) {
   if (options.policy != "collect" && options.policy != "expert") return ParsePlan(options.policy);
-  const auto& label = talk.view().label();
-  if (!talk.Until([&] { return label.has_value(); }, kLabelMs))
-    throw ExitError(kExitTimeout, "policy collect needs LABEL, and none was heard");
-  const auto seed = static_cast<std::uint64_t>(label->seed >= 0 ? label->seed : options.seed);
-  return CollectPlan(*talk.view().task(), *label, seed, options.policy == "collect");
+  const BusView& view = talk.view();
+  talk.Until([&] { return view.label() || !view.LabelsExpected(); }, kLabelMs);
+  return CollectPlan(*view.task(), view.label(), SeedFor(view, options),
+                     options.policy == "collect");
 }
 
 ExecutiveOptions Whole(Conversation& talk, ExecutiveOptions options) {

@@ -1,5 +1,7 @@
 #include "services/executive/bus_view.h"
 
+#include <algorithm>
+
 #include "services/binding/calibration_messages.h"
 #include "services/binding/task_messages.h"
 #include "services/common/clock.h"
@@ -82,6 +84,7 @@ void BusView::OnStatus(const action_status_t& status) {
 // The simulator says a label before its picture, so none of the episode's pictures is missed.
 void BusView::OnLabel(const label_t& label) {
   world_heard_ms_ = SteadyMs();
+  labels_heard_ = true;
   if (seed_ >= 0 && label.seed == seed_ && label.episode_id != episode_id_) {
     const std::int64_t seed = seed_;
     Follow(label.episode_id);
@@ -92,6 +95,7 @@ void BusView::OnLabel(const label_t& label) {
 
 void BusView::OnObservation(const observation_t& observation) {
   world_heard_ms_ = SteadyMs();
+  pictures_heard_ = std::min(pictures_heard_ + 1, 2);
   if (!task_) return;
   if (observation.width != task_->image_width || observation.height != task_->image_height) {
     misfit_ = SizeText(observation.width, observation.height) + " pixels, where TASK says " +

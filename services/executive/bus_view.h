@@ -47,6 +47,9 @@ class BusView {
   /// clock; 0: never.
   std::int64_t world_heard_ms() const { return world_heard_ms_; }
   const std::optional<label_t>& label() const { return label_; }
+  /// Whether each picture comes with a LABEL, as a simulator's does; true, too, before enough was
+  /// heard to tell.
+  bool LabelsExpected() const { return labels_heard_ || pictures_heard_ < 2; }
   const ServerList& servers() const { return servers_; }
   /// The calibration that came with these weights; null when none was heard.
   const model::CalibrationSample* calibration(std::int64_t weights_hash) const;
@@ -77,6 +80,8 @@ class BusView {
   std::int64_t world_heard_ms_ = 0;
   std::string misfit_;  // size of the latest picture that did not fit TASK
   std::optional<label_t> label_;
+  bool labels_heard_ = false;  // of any episode
+  int pictures_heard_ = 0;     // of any episode; counted as far as LabelsExpected() asks
   std::map<std::int64_t, agent::Picture> frames_;
   std::vector<Subscription> subscriptions_;
 };

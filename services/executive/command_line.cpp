@@ -84,6 +84,8 @@ void Take(const cli::ExecutiveOptions& given, ExecutiveCall* call) {
   options.explain_only = given.explain_only;
   options.what_if = given.what_if;
   options.out = episode.out;
+  call->episodes = given.trials.episodes;
+  call->pause = given.trials.pause;
   call->common = CommonOptions(episode.bus);
   call->report = episode.report;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace prospect::services {
 struct ExecutiveCall {
   CommonOptions common;
   ExecutiveOptions options;
+  std::int64_t episodes = 0;  ///< trials to be collected in all; 0: a single episode
+  bool pause = false;         ///< before each of them, until a person types Enter
   prospect::cli::ReportOptions report;
 };
 

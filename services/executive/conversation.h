@@ -58,6 +58,9 @@ class Conversation {
   HealthMonitor& monitor() { return monitor_; }
   BusView& view() { return view_; }
   std::int64_t id() const { return health_.instance_id(); }
+  /// For the next command of this process, to a robot or a simulator: ids grow, since a lower one
+  /// is old news.
+  std::int64_t NextCommandId() { return ++last_command_id_; }
 
  private:
   std::set<std::int64_t> LiveWorlds() const;
@@ -73,6 +76,7 @@ class Conversation {
   std::set<std::int64_t> worlds_;  // instances of "simulator" that lived at HoldWorld()
   bool claims_robot_ = false;
   std::int64_t task_hash_ = 0;  // of TASK at HoldTask(); 0: it was not called
+  std::int64_t last_command_id_ = 0;
 };
 
 }  // namespace prospect::services

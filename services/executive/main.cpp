@@ -1,9 +1,10 @@
 // prospect-executive: one episode against services already up: look, search, act, look again; then
-// tell what happened.
+// tell what happened. Or many with random plans, for training.
 
 #include <spdlog/spdlog.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "agent/explanation_text.h"
@@ -23,6 +24,7 @@
 #include "services/executive/conversation.h"
 #include "services/executive/options.h"
 #include "services/executive/policy.h"
+#include "services/executive/trial_loop.h"
 
 namespace {
 
@@ -97,6 +99,13 @@ int RunEpisode(Conversation& talk, const ExecutiveCall& call) {
   return CodeOf(record);
 }
 
+int CollectTrials(Conversation& talk, const ExecutiveCall& call) {
+  const TrialCounts counts = RunTrials(talk, call);
+  if (call.report.talks()) std::cout << counts.Table() << std::flush;
+  cli::WriteReport(call.report, counts.ToJson());
+  return kExitSuccess;
+}
+
 int Run(int argc, char** argv) {
   ExecutiveCall call;
   if (const auto end = ParseExecutive(argc, argv, &call)) return *end;
@@ -108,7 +117,7 @@ int Run(int argc, char** argv) {
   Bus bus(call.common.bus);
   Conversation talk(bus);
   talk.monitor().RequireOwnBus();
-  return RunEpisode(talk, call);
+  return call.episodes > 0 ? CollectTrials(talk, call) : RunEpisode(talk, call);
 }
 
 }  // namespace

@@ -18,12 +18,13 @@ bool Contains(const std::vector<int>& list, int action) {
 }
 
 // What may come next in a plan of `rules` after `done`, among the actions whose object is there.
-std::vector<int> Legal(const planner::TaskRules& rules, const label_t& label,
+std::vector<int> Legal(const planner::TaskRules& rules, const std::optional<label_t>& label,
                        const std::vector<int>& done) {
   std::vector<int> legal;
   for (const int action : rules.successors.at(done.empty() ? rules.num_actions : done.back())) {
     const bool fresh = rules.repeats_allowed || !Contains(done, action);
-    if (fresh && label.present.at(static_cast<std::size_t>(action)) == 1) legal.push_back(action);
+    const bool present = !label || label->present.at(static_cast<std::size_t>(action)) == 1;
+    if (fresh && present) legal.push_back(action);
   }
   return legal;
 }
@@ -65,10 +66,10 @@ std::string PolicyDefect(const std::string& policy) {
   return "unknown policy '" + policy + "'; known: search, collect, expert, plan:0,2,1";
 }
 
-std::vector<int> CollectPlan(const task_t& task, const label_t& label, std::uint64_t seed,
-                             bool retries) {
-  if (label.present.size() != task.actions.size())
-    throw std::invalid_argument("LABEL tells of " + std::to_string(label.present.size()) +
+std::vector<int> CollectPlan(const task_t& task, const std::optional<label_t>& label,
+                             std::uint64_t seed, bool retries) {
+  if (label && label->present.size() != task.actions.size())
+    throw std::invalid_argument("LABEL tells of " + std::to_string(label->present.size()) +
                                 " actions, TASK of " + std::to_string(task.actions.size()));
   const auto rules = RulesFromTask(task);
   sim::RandomPlan random(rules, seed, retries);

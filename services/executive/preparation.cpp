@@ -40,7 +40,7 @@ sim_command_t ResetCommand(Conversation& talk, const ExecutiveOptions& options) 
   sim_command_t command{};
   command.present_episode_id = *talk.view().present_episode_id();
   command.sender_id = talk.id();
-  command.command_id = 1;
+  command.command_id = talk.NextCommandId();
   command.kind = sim_command_t::KIND_RESET;
   command.seed = options.seed;
   command.episode_id = RandomId();
@@ -50,10 +50,10 @@ sim_command_t ResetCommand(Conversation& talk, const ExecutiveOptions& options) 
 }
 
 // What is followed has the name that this very reset gave it. TASK, which has no such name, is
-// known by its length.
+// known by its length. A robot says no LABEL.
 bool SceneStands(Conversation& talk, const ExecutiveOptions& options) {
   const auto& view = talk.view();
-  return view.latest() && view.status() && view.label() &&
+  return view.latest() && view.status() && (view.label() || !view.LabelsExpected()) &&
          (options.legs == 0 || view.task()->plan_length == options.legs);
 }
 
@@ -145,16 +145,18 @@ void PrepareScene(Conversation& talk, const ExecutiveOptions& options) {
     const std::int64_t present = *talk.view().present_episode_id();
     if (present != command.present_episode_id && present != command.episode_id) {
       command.present_episode_id = present;
-      ++command.command_id;
+      command.command_id = talk.NextCommandId();
     }
     talk.Say(command);
   };
   if (talk.Until([&] { return SceneStands(talk, options); }, options.scene_timeout_ms, say)) return;
-  const std::string what = "the simulator did not put up scene " + std::to_string(options.seed) +
-                           " within " + Seconds(options.scene_timeout_ms) + ": ";
-  throw ExitError(kExitTimeout, what + (talk.view().PictureDefects().empty()
-                                            ? "its log says why (objects or legs out of range?)"
-                                            : CameraAdvice(talk)));
+  const std::string what = "scene " + std::to_string(options.seed) + " was not put up within " +
+                           Seconds(options.scene_timeout_ms) + ": ";
+  throw ExitError(kExitTimeout,
+                  what + (talk.view().PictureDefects().empty()
+                              ? "the simulator's log says why (objects or legs out of range?); "
+                                "a robot that obeys no SIM_COMMAND needs --no-reset"
+                              : CameraAdvice(talk)));
 }
 
 model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {

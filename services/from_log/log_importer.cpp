@@ -25,11 +25,22 @@ void LogImporter::TakeFrame(const LogEvent& event) {
   if (task_) run.SetTask(task_);
 }
 
+// It belongs to a run whose pictures are known.
+void LogImporter::TakeStatus(const LogEvent& event) {
+  const auto status = Decode<action_status_t>(event);
+  if (!status) return;
+  for (RecordedRun* run : {current_.get(), previous_.get()}) {
+    if (run && run->episode_id() == status->episode_id) return run->Add(*status);
+  }
+}
+
 void LogImporter::Take(const LogEvent& event) {
   if (event.channel == ChannelOf<observation_t>()) {
     TakeFrame<observation_t>(event);
   } else if (event.channel == ChannelOf<label_t>()) {
     TakeFrame<label_t>(event);
+  } else if (event.channel == ChannelOf<action_status_t>()) {
+    TakeStatus(event);
   } else if (event.channel == ChannelOf<task_t>()) {
     if (auto task = Decode<task_t>(event)) task_ = std::make_shared<task_t>(std::move(*task));
   }
@@ -52,9 +63,9 @@ void LogImporter::EndOfLog() {
   current_.reset();
 }
 
-void LogImporter::Finish(const RecordedRun& run) { rows_.push_back(Import(run)); }
+void LogImporter::Finish(RecordedRun& run) { rows_.push_back(Import(run)); }
 
-ImportRow LogImporter::Import(const RecordedRun& run) {
+ImportRow LogImporter::Import(RecordedRun& run) {
   ImportRow row{run.episode_id(), static_cast<std::int64_t>(run.pictures()), "refused", ""};
   try {
     const model::Trial trial = run.ToTrial();

@@ -50,9 +50,10 @@ class LogImporter {
   std::optional<T> Decode(const LogEvent& event);
   template <class T>
   void TakeFrame(const LogEvent& event);
+  void TakeStatus(const LogEvent& event);
   RecordedRun& RunOf(std::int64_t episode_id, std::int64_t frame);
-  void Finish(const RecordedRun& run);
-  ImportRow Import(const RecordedRun& run);
+  void Finish(RecordedRun& run);
+  ImportRow Import(RecordedRun& run);
 
   Sink sink_;
   // The run that is being recorded, and the one before it, whose last label may still be on its

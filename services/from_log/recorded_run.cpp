@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "services/from_log/status_labels.h"
 #include "sim/task.h"
 
 namespace prospect::services {
@@ -67,7 +68,7 @@ std::int64_t RecordedRun::FindEnd() const {
   for (const auto& [frame, label] : labels_) {
     if (IsOver(label)) return frame;
   }
-  throw RunError(labels_.empty() ? "there are no labels" : "the trial did not end");
+  throw RunError(task_ ? "the trial did not end" : "there is no TASK message");
 }
 
 void RecordedRun::RequireWhole(std::int64_t end) const {
@@ -127,7 +128,8 @@ void RecordedRun::AppendFrame(std::int64_t frame, model::Trial& trial) const {
     trial.segment_succeeded.back() = 1;
 }
 
-model::Trial RecordedRun::ToTrial() const {
+model::Trial RecordedRun::ToTrial() {
+  if (labels_.empty() && task_) labels_ = LabelsFrom(statuses_, *task_, last_frame_);
   const std::int64_t end = FindEnd();
   RequireWhole(end);
   model::Trial trial;

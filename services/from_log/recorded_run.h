@@ -18,7 +18,8 @@ class RunError : public std::runtime_error {
 };
 
 /// What a log holds of one run of one scene: pictures and labels by frame, each kept once however
-/// often it was published. Plain data with one thing to do: become a trial. Not thread-safe.
+/// often it was published, and what was said of actions. Plain data with one thing to do: become a
+/// trial. Not thread-safe.
 class RecordedRun {
  public:
   explicit RecordedRun(std::int64_t episode_id) : episode_id_(episode_id) {}
@@ -31,17 +32,18 @@ class RecordedRun {
 
   void Add(const observation_t& observation);
   void Add(const label_t& label);
+  void Add(const action_status_t& status) { statuses_.push_back(status); }
   /// The TASK in force; the latest one given counts.
   void SetTask(std::shared_ptr<const task_t> task) { task_ = std::move(task); }
 
   /// The trial, as a collector would have written it for this scene, but for two things: its
   /// pictures are those that were on the bus, with the sensor's noise in them, and image_noise is
   /// therefore 0, so that no reader adds it again. Frames after the one that ended the trial are
-  /// left out. A robot's trial is numbered by its episode's id, or, where that has more than nine
-  /// digits, by a hash of it.
+  /// left out. Where nobody said LABEL, ACTION_STATUS tells the same (LabelsFrom). A robot's trial
+  /// is numbered by its episode's id, or, where that has more than nine digits, by a hash of it.
   /// @throws RunError when a frame or its label is missing, the trial did not end, or messages
   /// contradict each other
-  model::Trial ToTrial() const;
+  model::Trial ToTrial();
 
  private:
   std::int64_t FindEnd() const;
@@ -53,6 +55,7 @@ class RecordedRun {
   std::int64_t last_frame_ = -1;
   std::map<std::int64_t, observation_t> pictures_;
   std::map<std::int64_t, label_t> labels_;
+  std::vector<action_status_t> statuses_;  // as they came
   std::shared_ptr<const task_t> task_;
 };
 

@@ -61,6 +61,13 @@ says 0 '' bash -n "$prefix/share/bash-completion/completions/prospect"
 check is "$(somebody prospect completion bash | grep complete\ )" "$(grep complete\  "$prefix/share/bash-completion/completions/prospect")"
 check is "$(ldd "$prefix"/lib/prospect/* | grep 'not found')" ''
 
+# Without what trains: no libtorch, and who wants to train is told what is missing.
+small=$folder/small
+cmake --install "$build" --prefix "$small" --component prospect >"$folder/install.log" 2>&1
+check is "$(comm -13 <(ls "$small/lib/prospect") <(ls "$prefix/lib/prospect"))" "$(printf '%s\n' prospect-figures prospect-train)"
+check is "$(ldd "$small"/bin/* "$small"/lib/prospect/* | grep -E 'not found|torch')" ''
+says 127 'package prospect-train$' "$small/bin/prospect" train --task stacking --data none.h5 --out none
+
 # A demo: its results lie where it was called.
 says 0 '' prospect demo --policy plan:0,1,2 --seed 2000000 --task navigation
 check test -s "$home/here/out/navigation-2000000/result.json"
@@ -71,7 +78,7 @@ build_robot() {  # build_robot FOLDER TARGET
   says 0 'Configuring done' cmake -S "$1" -B "$1/build" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release
   says 0 "Built target $2" cmake --build "$1/build"
 }
-somebody cp -r "$doc/examples/robot" "$home/robot" && somebody chmod -R u+w "$home/robot"
+somebody cp -r "$doc/examples/robots/cpp" "$home/robot" && somebody chmod -R u+w "$home/robot"
 build_robot "$home/robot" example-robot
 somebody mkdir "$home/rover" && somebody mv "$home/rover.cpp" "$home/rover"
 sed -n '/^```cmake$/,/^```$/{/^```/!p}' "$doc/docs/robots.md" | somebody tee "$home/rover/CMakeLists.txt" >/dev/null

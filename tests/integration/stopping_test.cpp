@@ -50,8 +50,10 @@ TEST(Stopping, KilledExecutiveStopsTheExample) {
   Deployment deployment("killed_example");
   Process robot("examples/example-robot", {"--bus", witness.bus.url()},
                 deployment.folder + "/robot.log");
-  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,1,2"});
-  ASSERT_TRUE(witness.Until([&] { return InTheSecondAction(witness); }, 20000));
+  // An action of the example lasts longer than the silence that stops it.
+  auto& executive = deployment.Executive({"--no-reset", "--policy", "plan:0,8"});
+  ASSERT_TRUE(witness.Until([&] { return LatestStatusIs(witness, action_status_t::STATE_RUNNING); },
+                            20000));
   ExpectTheRobotStopsWithout(executive, witness);
   const std::int64_t frame = witness.statuses.back().frame;
   witness.Listen(1000);

@@ -64,7 +64,7 @@ TEST_F(Supervision, StartsAgainWhatWasKilled) {
     kill(before, SIGKILL);
     const auto back = [&] {
       const auto services = Services();
-      return services.count(name) > 0 && services.at(name).at("restarts") == 1 &&
+      return services.contains(name) && services.at(name).at("restarts") == 1 &&
              services.at(name).at("pid") != before && services.at(name).at("state") == "running";
     };
     EXPECT_TRUE(witness.Until(back, 10000)) << name;
@@ -170,7 +170,7 @@ TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   Process supervisor = Start("/no/such/weights.safetensors");
   const auto given_up = [&] {
     const auto services = Services();
-    return services.count("model") > 0 && services.at("model").at("state") == "given_up";
+    return services.contains("model") && services.at("model").at("state") == "given_up";
   };
   ASSERT_TRUE(witness.Until(given_up, 10000));
   const json model = Services().at("model");
@@ -180,6 +180,8 @@ TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   EXPECT_EQ(Ask({"given-up"}), 10);
   EXPECT_NE(ReadText(folder + "/asked.log").find("model ended: "), std::string::npos);
 
+  // Who gives up does so sooner than a world is built.
+  ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 10000));
   Process status("prospect-bus",
                  {"status", "--bus", witness.bus.url(), "--services-file",
                   folder + "/services.json", "--json", folder + "/status.json"},

@@ -29,11 +29,4 @@ inline void ExpectTheRobotStopsWithout(Process& executive, Witness& witness) {
       << "one missing sign of life must not stop the robot";
 }
 
-/// Whether the example robot carries the second action of "plan:0,1,2" out: unlike the first it
-/// lasts longer than the silence that stops it.
-inline bool InTheSecondAction(const Witness& witness) {
-  return LatestStatusIs(witness, action_status_t::STATE_RUNNING) &&
-         witness.statuses.back().action == 1;
-}
-
 }  // namespace prospect::tests

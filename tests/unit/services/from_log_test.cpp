@@ -149,6 +149,98 @@ TEST_F(FromLog, RepeatsAndFramesAfterTheEndChangeNothing) {
   EXPECT_EQ(trials_[0].frames(), 5);
 }
 
+action_status_t Status(std::int64_t frame, std::int64_t command, std::int8_t state,
+                       std::int8_t outcome = label_t::OUTCOME_UNKNOWN) {
+  action_status_t m{};
+  m.episode_id = 7;
+  m.frame = frame;
+  m.executive_id = 1;
+  m.command_id = command;
+  m.action = static_cast<std::int32_t>(command) - 1;
+  m.state = state;
+  m.outcome = outcome;
+  if (state == action_status_t::STATE_FAILED) m.reason = "reach";
+  return m;
+}
+
+// CANCEL is a command with a number of its own; the action is still the second.
+action_status_t Cancelled(std::int64_t frame) {
+  action_status_t m = Status(frame, 3, action_status_t::STATE_CANCELLED);
+  m.action = 1;
+  return m;
+}
+
+/// A robot says no LABEL. Frames 1 and 2 are the first action's, 3 and 4 the second's.
+class FromStatus : public FromLog {
+ protected:
+  void Write(const std::vector<action_status_t>& statuses) {
+    LogWriter log(path_);
+    log.Write(Task());
+    for (std::int64_t frame = 0; frame <= 4; ++frame) log.Write(Observation(7, frame));
+    for (const action_status_t& status : statuses) log.Write(status);
+  }
+
+  static constexpr std::int8_t kRuns = action_status_t::STATE_RUNNING;
+  static constexpr std::int8_t kSucceeded = action_status_t::STATE_SUCCEEDED;
+};
+
+TEST_F(FromStatus, ATrialIsTheSameAsWithLabels) {
+  Write({Status(0, 0, action_status_t::STATE_IDLE), Status(0, 1, kRuns), Status(1, 1, kRuns),
+         Status(2, 1, kSucceeded), Status(2, 1, kSucceeded),
+         Status(2, 9, action_status_t::STATE_REFUSED), Status(2, 2, kRuns),
+         Status(4, 2, kSucceeded)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  const model::Trial& trial = trials_[0];
+  EXPECT_NO_THROW(model::ValidateTrial(trial));
+  EXPECT_FALSE(trial.simulated);
+  EXPECT_EQ(trial.seed, 7u);
+  EXPECT_EQ(trial.outcome, "success");  // a whole plan was carried out, and nobody judges it
+  EXPECT_EQ(trial.actions, (std::vector<int>{2, 0, 0, 1, 1}));
+  EXPECT_EQ(trial.prev_action, (std::vector<int>{2, 2, 2, 0, 0}));
+  EXPECT_EQ(trial.segment, (std::vector<int>{-1, 0, 0, 1, 1}));
+  EXPECT_EQ(trial.segment_succeeded, (std::vector<std::int8_t>{1, 1}));
+  EXPECT_EQ(trial.rewards, (std::vector<float>{0, 0, 0, 0, 1}));
+}
+
+TEST_F(FromStatus, AFailedActionEndsTheTrialWithItsCause) {
+  Write({Status(0, 1, kRuns), Status(2, 1, action_status_t::STATE_FAILED)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].outcome, "failure");
+  EXPECT_EQ(trials_[0].reason, "reach");
+  EXPECT_EQ(trials_[0].frames(), 3);
+  EXPECT_EQ(trials_[0].segment_succeeded, (std::vector<std::int8_t>{0}));
+}
+
+TEST_F(FromStatus, ARobotThatJudgesItsTaskIsBelieved) {
+  Write({Status(0, 1, kRuns), Status(2, 1, kSucceeded, label_t::OUTCOME_SUCCESS)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].outcome, "success");
+  EXPECT_EQ(trials_[0].frames(), 3);
+}
+
+TEST_F(FromStatus, ACancelledActionIsNoTrial) {
+  Write({Status(0, 1, kRuns), Status(2, 1, kSucceeded), Status(2, 2, kRuns), Cancelled(3)});
+  EXPECT_EQ(Refusal(), "b was cancelled");
+}
+
+TEST_F(FromStatus, ATrialThatDidNotEndIsRefused) {
+  Write({Status(0, 1, kRuns), Status(2, 1, kSucceeded), Status(2, 2, kRuns)});
+  EXPECT_EQ(Refusal(), "the trial did not end");
+}
+
+TEST_F(FromStatus, AnActionWhoseEndWasNotHeardIsNamed) {
+  Write({Status(0, 1, kRuns), Status(2, 2, kRuns), Status(4, 2, kSucceeded)});
+  EXPECT_EQ(Refusal(), "how a ended is missing");
+}
+
+TEST_F(FromStatus, FramesThatNobodySawAreNotMadeUp) {
+  Write({Status(0, 1, kRuns), Status(std::int64_t{1} << 50, 1, kSucceeded)});
+  EXPECT_EQ(Refusal(), "pictures of a are missing");
+}
+
 TEST_F(FromLog, AnEpisodeWithAGapIsRefused) {
   {
     LogWriter log(path_);

@@ -74,6 +74,17 @@ TEST(PolicyTest, ExpertNeverTriesAgainAndCollectSometimes) {
   EXPECT_LT(longer, 60);
 }
 
+// A robot that says no LABEL.
+TEST(PolicyTest, WithoutALabelEveryActionMayBeTried) {
+  std::set<int> tried;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto plan = CollectPlan(FreeTask(6, 3), std::nullopt, seed);
+    ASSERT_EQ(plan.size(), 3u);
+    tried.insert(plan.begin(), plan.end());
+  }
+  EXPECT_EQ(tried.size(), 6u);
+}
+
 TEST(PolicyTest, LabelsOfAnotherTableAreNamed) {
   label_t label{};
   label.present = {1, 1};

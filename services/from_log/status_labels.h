@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "lcmtypes/messages.h"
+
+namespace prospect::services {
+
+/// What LABEL would have said of each frame of an episode, from what a robot says of its actions.
+/// Pictures between the end of one action and the end of the next belong to the latter; the trial
+/// ends with the first action that failed, where the robot judges it, or, where it judges nothing,
+/// with the last action of a plan. There is no seed, and all actions of the table may be done.
+/// @param statuses of one episode, in the order in which they were heard, repeats included
+/// @param last_frame of the pictures that were heard
+/// @return labels by frame, up to the trial's end or as far as actions ended
+/// Throws RunError where an action was cancelled, its end was not heard, or it has no pictures.
+std::map<std::int64_t, label_t> LabelsFrom(const std::vector<action_status_t>& statuses,
+                                           const task_t& task, std::int64_t last_frame);
+
+}  // namespace prospect::services
