@@ -127,7 +127,7 @@ void NameTheRest(const Plan& plan, const PlanContext& context, Explanation* expl
                                      Fixed(step.prior, kDigitsOfP) + ")");
   }
   for (const int action : context.rules.AllowedActions(context.executed, {})) {
-    if (heard.count(action) == 0) explanation->untried.push_back(NameOf(action, context));
+    if (!heard.contains(action)) explanation->untried.push_back(NameOf(action, context));
   }
 }
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "base/exit_codes.h"
+#include "base/nearest.h"
 #include "cli/help.h"
 #include "cli/installation.h"
-#include "cli/nearest.h"
 #include "cli/table.h"
 
 namespace prospect::cli {
@@ -47,7 +47,7 @@ std::string Stray(const CLI::App& app) {
   const std::string unknown = "unknown option '" + word + "'";
   const std::string other = NeighbourWith(word, CommandOf(app));
   if (!other.empty()) return unknown + "; " + TypedName() + " " + other + " has it";
-  const std::string nearest = NearestWord(word, OptionNames(app));
+  const std::string nearest = base::NearestWord(word, OptionNames(app));
   return nearest.empty() ? unknown : unknown + "; did you mean " + nearest + "?";
 }
 

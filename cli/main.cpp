@@ -4,15 +4,17 @@
 //   prospect --dry-run COMMAND ...    only checks the arguments: 0, or 2
 //   prospect --programs COMMAND ...   checks them and prints the programs that the command needs
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/nearest.h"
 #include "base/run_main.h"
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/installation.h"
-#include "cli/nearest.h"
 #include "cli/run/invocation.h"
 #include "cli/run/processes.h"
 #include "cli/table.h"
@@ -48,7 +50,7 @@ bool AsksForHelp(const Words& words) {
 int TellUnknown(const std::string& typed) {
   Words names;
   for (const Command& command : Commands()) names.push_back(command.name);
-  const std::string nearest = NearestWord(typed, names);
+  const std::string nearest = base::NearestWord(typed, names);
   return Fail(2, "unknown command '" + typed + "'" +
                      (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " (" +
                      TypedName() + " --help lists all)");
@@ -56,6 +58,10 @@ int TellUnknown(const std::string& typed) {
 
 int BecomeProgram(const Command& command, const Words& typed) {
   Words words = StartOf(command);
+  if (IsInstalled() && access(words[0].c_str(), X_OK) != 0) {
+    return Fail(127, words[0] + " is missing; programs that train come with the Debian package " +
+                         "prospect-train");
+  }
   words.insert(words.end(), typed.begin(), typed.end());
   return Become(words);
 }

@@ -4,6 +4,8 @@
 #   share/prospect/            weights, held-out trials, scenes, message types
 #   include/prospect/, lib/    what a robot is built with; lib/cmake/Prospect/ finds it
 #   share/doc/prospect/        the docs, and the examples that they name
+# What trains, and with it libtorch, is a component of its own.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME prospect)
 if(NOT TARGET prospect)
   return()
 endif()
@@ -28,11 +30,16 @@ function(prospect_programs list folder)
 endfunction()
 
 prospect_programs(programs ${CMAKE_SOURCE_DIR})
-list(REMOVE_ITEM programs prospect)
+list(REMOVE_ITEM programs prospect prospect-train prospect-figures)
 install(TARGETS prospect RUNTIME DESTINATION bin)
 install(TARGETS ${programs} RUNTIME DESTINATION lib/prospect)
+foreach(program prospect-train prospect-figures)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION lib/prospect COMPONENT train)
+  endif()
+endforeach()
 set(data share/prospect)
-install(DIRECTORY config DESTINATION ${data})
+install(DIRECTORY config tasks DESTINATION ${data} PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY model/held_out DESTINATION ${data}/model)
 # Classifiers read labels when networks are scored in training; nothing else asks for them.
 install(DIRECTORY model/weights DESTINATION ${data}/model PATTERN *-classifiers.safetensors EXCLUDE)

@@ -1,10 +1,24 @@
 # Builds what a command needs, when it is first asked for. The release preset builds its tests only once a test run has asked
 # for them. With PROSPECT_BUILD=FOLDER the programs of that build folder are used as they are.
 
+# Whether one of these targets trains or scores networks, which takes libtorch: neither its packages nor its build are wanted
+# before.
+trains() {
+  local target
+  for target; do case "$target" in prospect-train | prospect-figures | all) return 0 ;; esac; done
+  return 1
+}
+
+# need_packages TARGET...: installs what it takes to build and run these.
+need_packages() {
+  if trains "$@"; then install_packages build run train; else install_packages build run; fi
+}
+
 # build PRESET TARGET...: brings these up to date. With TESTS=1 the tests are among what can be built.
 build() {
-  local preset=$1 log="$ROOT/build/$1.log"
+  local preset=$1 log="$ROOT/build/$1.log" TRAINING=${TESTS:-}
   shift
+  ! trains "$@" || TRAINING=1
   [ -n "${PROSPECT_BUILD:-}" ] && return 0
   mkdir -p "$ROOT/build" || die 13 "cannot write to $ROOT/build"
   # One at a time in a folder: two would write the same files.
@@ -19,23 +33,25 @@ need_build() {
   local program missing=()
   for program; do [ -x "$BIN/$program" ] || missing+=("$program"); done
   [ ${#missing[@]} = 0 ] || [ -n "${PROSPECT_BUILD:-}" ] && return 0
-  install_packages build run && build release "${missing[@]}"
+  need_packages "${missing[@]}" && build release "${missing[@]}"
 }
 
 cached() { sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt" 2>/dev/null; }
 
-# configure PRESET LOG: a folder that is new, that has no tests and is to have them, or that came here from elsewhere: CMake keeps
-# the place of the sources, and would go on with those of the old place.
+# configure PRESET LOG: a folder that is new, that lacks tests or training and is to have them, or that came here from elsewhere:
+# CMake keeps the place of the sources, and would go on with those of the old place.
 configure() {
-  local preset=$1 log=$2 dir="$ROOT/build/$1" tests=OFF home
+  local preset=$1 log=$2 dir="$ROOT/build/$1" tests=OFF training=OFF home
   home=$(cached "$dir" CMAKE_HOME_DIRECTORY)
   [ -n "${TESTS:-}" ] || [ "$(cached "$dir" PROSPECT_TESTS)" = ON ] && tests=ON
+  [ -n "$TRAINING" ] || [ "$(cached "$dir" PROSPECT_TRAINING)" = ON ] && training=ON
   if [ -n "$home" ] && [ ! "$home" -ef "$ROOT" ]; then
     say "build/$preset was made for $home: configuring it anew for $ROOT"
     rm -rf "$dir/CMakeCache.txt" "$dir/CMakeFiles" "$dir/build.ninja"
   fi
-  [ -f "$dir/build.ninja" ] && [ "$(cached "$dir" PROSPECT_TESTS)" = "$tests" ] && return 0
-  (cd "$ROOT" && cmake --preset "$preset" "-DPROSPECT_TESTS=$tests") >"$log" 2>&1 ||
+  [ -f "$dir/build.ninja" ] && [ "$(cached "$dir" PROSPECT_TESTS)" = "$tests" ] &&
+    [ "$(cached "$dir" PROSPECT_TRAINING)" = "$training" ] && return 0
+  (cd "$ROOT" && cmake --preset "$preset" "-DPROSPECT_TESTS=$tests" "-DPROSPECT_TRAINING=$training") >"$log" 2>&1 ||
     { tail -n 30 "$log" >&2; die 2 "The build could not be configured; the whole log: $log"; }
 }
 

@@ -1,6 +1,6 @@
 # The Debian packages: which are missing, and how they are installed. packages.txt is the only list.
 
-# packages_of SCOPE...: names of the packages of these scopes (build, run, test, docker).
+# packages_of SCOPE...: names of the packages of these scopes (build, run, train, test, docker).
 packages_of() {
   local scope
   for scope in "$@"; do

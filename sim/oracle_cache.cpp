@@ -84,7 +84,7 @@ OracleKey OracleKeyOf(const Task& task, int objects) {
           "",        planner::TowerLevels(rules) > 2};
 }
 
-OracleCache::OracleCache(const OracleKey& key, std::string directory) {
+OracleCache::OracleCache(const OracleKey& key, std::string directory, const std::string& bundled) {
   if (directory.empty()) directory = DefaultDirectory();
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -92,14 +92,17 @@ OracleCache::OracleCache(const OracleKey& key, std::string directory) {
     throw base::DiskError("cannot make " + directory + " for the oracle's cache (" +
                           error.message() + "): set PROSPECT_DATA to a folder you may write to");
   }
-  path_ = directory + "/" + key.task + "-" + key.world_version + "-objects" +
-          std::to_string(key.objects) + "-legs" + std::to_string(key.legs) +
-          (key.ordered ? "-ordered" : "") + (key.goal.empty() ? "" : "-" + key.goal) + ".jsonl";
-  Load();
+  const std::string name = "/" + key.task + "-" + key.world_version + "-objects" +
+                           std::to_string(key.objects) + "-legs" + std::to_string(key.legs) +
+                           (key.ordered ? "-ordered" : "") +
+                           (key.goal.empty() ? "" : "-" + key.goal) + ".jsonl";
+  path_ = directory + name;
+  if (!bundled.empty()) Load(bundled + name);
+  Load(path_);
 }
 
-void OracleCache::Load() {
-  std::ifstream file(path_);
+void OracleCache::Load(const std::string& path) {
+  std::ifstream file(path);
   std::string text;
   while (std::getline(file, text)) {
     try {

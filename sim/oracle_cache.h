@@ -32,8 +32,10 @@ OracleKey OracleKeyOf(const Task& task, int objects);
 class OracleCache {
  public:
   // `directory` is made if need be. Empty: $PROSPECT_DATA/oracle, or ~/.cache/prospect/oracle if
-  // that is not set. Throws base::DiskError if it cannot be made.
-  explicit OracleCache(const OracleKey& key, std::string directory = "");
+  // that is not set. Throws base::DiskError if it cannot be made. What a file of the same name in
+  // `bundled` holds is known, too; nothing is written there.
+  explicit OracleCache(const OracleKey& key, std::string directory = "",
+                       const std::string& bundled = "");
 
   std::optional<OracleResult> Find(std::uint64_t scene_seed) const;
   void Store(std::uint64_t scene_seed, const OracleResult& result);
@@ -41,7 +43,7 @@ class OracleCache {
   const std::string& path() const { return path_; }
 
  private:
-  void Load();
+  void Load(const std::string& path);
 
   std::string path_;
   mutable std::mutex mutex_;

@@ -203,6 +203,11 @@ void Define(CLI::App& app, BenchEngineOptions& options) {
       ->type_name("N")
       ->transform(Whole(1, 1000))
       ->capture_default_str();
+  app.add_option("--scenes", options.scenes,
+                 "scenes on which answers and plans of both are compared")
+      ->type_name("N")
+      ->transform(Whole(1, 100'000))
+      ->capture_default_str();
   DefineReport(app, options.report);
 }
 

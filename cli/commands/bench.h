@@ -90,7 +90,8 @@ struct BenchEngineOptions {
   std::string task = kDefaultTask;
   std::string weights;                        ///< as WeightsFile()
   std::vector<int> batches = {1, 4, 16, 64};  ///< rows a question
-  int pairs = 7;  ///< measurements of each, taken in turns; medians are told
+  int pairs = 7;     ///< measurements of each, taken in turns; medians are told
+  int scenes = 200;  ///< on which the answers of both engines are compared
   ReportOptions report;
 };
 

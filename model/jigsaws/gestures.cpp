@@ -17,7 +17,7 @@ constexpr std::array<const char*, kGestures> kWords = {
     "pull the suture with the left hand",
     "pull the suture with the right hand",
     "orient the needle",
-    "tighten the suture with the right hand's help",
+    "tighten the suture with the help of the right hand",
     "loosen more suture",
     "drop the suture and move to the end points",
     "reach for the needle with the left hand",

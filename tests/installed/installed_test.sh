@@ -61,6 +61,13 @@ says 0 '' bash -n "$prefix/share/bash-completion/completions/prospect"
 check is "$(somebody prospect completion bash | grep complete\ )" "$(grep complete\  "$prefix/share/bash-completion/completions/prospect")"
 check is "$(ldd "$prefix"/lib/prospect/* | grep 'not found')" ''
 
+# Without what trains: no libtorch, and who wants to train is told what is missing.
+small=$folder/small
+cmake --install "$build" --prefix "$small" --component prospect >"$folder/install.log" 2>&1
+check is "$(comm -13 <(ls "$small/lib/prospect") <(ls "$prefix/lib/prospect"))" "$(printf '%s\n' prospect-figures prospect-train)"
+check is "$(ldd "$small"/bin/* "$small"/lib/prospect/* | grep -E 'not found|torch')" ''
+says 127 'package prospect-train$' "$small/bin/prospect" train --task stacking --data none.h5 --out none
+
 # A demo: its results lie where it was called.
 says 0 '' prospect demo --policy plan:0,1,2 --seed 2000000 --task navigation
 check test -s "$home/here/out/navigation-2000000/result.json"

@@ -24,7 +24,7 @@ tool cmake <<'SH'
 #!/bin/bash
 echo "cmake $*" >>"$CALLS"
 mkdir -p build/release/bin
-printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\n' "$PWD" "${3#*=}" >build/release/CMakeCache.txt
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nPROSPECT_TESTS:BOOL=%s\nPROSPECT_TRAINING:BOOL=%s\n' "$PWD" "${3#*=}" "${4#*=}" >build/release/CMakeCache.txt
 for target in all quick_tests prospect prospect-{supervisor,simulator,model-server,worker,executive,bus,video,world,verify,data,train,evaluate}; do
   echo "build $target: phony some/where"
 done >build/release/build.ninja
@@ -59,7 +59,7 @@ did_not_call() { ! grep -qE -- "$1" "$calls" 2>/dev/null || fail "a call of '$1'
 # A program is built when it is first asked for, alone, and used as it is from then on; before all others bin/prospect, which
 # knows what a command needs.
 asked 0 view --seed 3 --out x.png
-called 'cmake --preset release -DPROSPECT_TESTS=OFF'
+called 'cmake --preset release -DPROSPECT_TESTS=OFF -DPROSPECT_TRAINING=OFF'
 called 'ninja prospect'
 called 'ninja prospect-world'
 says '^started prospect-world view --seed 3 --out x.png$'
@@ -102,11 +102,36 @@ grep -q '20/20' "$place/build/release.log" || fail 'the log lacks what ninja sai
 printf 'echo "[1/9] Building CXX object a.o"; echo "a.cpp:3: error: nonsense"; false' >"$SAYS"
 asked 2 demo --weights scripted
 says 'a.cpp:3: error: nonsense'
+
+# What trains, and only that, takes libtorch: it is installed and configured when it is first asked for.
+mv "$work/tools/dpkg-query" "$work/all-installed"
+tool dpkg-query <<'SH'
+#!/bin/sh
+for name; do :; done
+[ "$name" = libtorch-dev ] || echo 'install ok installed'
+SH
+tool apt-get <<'SH'
+#!/bin/sh
+echo "apt-get $*" >>"$CALLS"
+SH
+tool sudo <<'SH'
+#!/bin/sh
+exec "$@"
+SH
+asked 0 view --seed 3 --out x.png
+asked 2 demo --weights scripted
+did_not_call 'apt-get|cmake'
 rm "$SAYS"
+asked 0 train --task stacking --data x.h5 --out x
+called 'apt-get .* libtorch-dev'
+called 'cmake --preset release -DPROSPECT_TESTS=OFF -DPROSPECT_TRAINING=ON'
+says '^started prospect-train train '
+mv "$work/all-installed" "$work/tools/dpkg-query"
+rm "$work/tools/apt-get"
 
 # Tests are built when they are asked for, and are not forgotten then.
 asked 0 test --quick
-called 'cmake --preset release -DPROSPECT_TESTS=ON'
+called 'cmake --preset release -DPROSPECT_TESTS=ON -DPROSPECT_TRAINING=ON'
 called 'ninja quick_tests'
 called 'ctest .*-L quick'
 asked 0 test
@@ -119,7 +144,7 @@ place=$work/copy
 cp "$work/stop" "$SAYS"
 asked 2 demo --weights scripted
 says "^build/release was made for $work/place: configuring it anew for $work/copy$"
-called 'cmake --preset release -DPROSPECT_TESTS=ON'
+called 'cmake --preset release -DPROSPECT_TESTS=ON -DPROSPECT_TRAINING=ON'
 asked 2 demo --weights scripted
 did_not_call cmake
 is_silent_about anew

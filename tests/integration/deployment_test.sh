@@ -123,7 +123,7 @@ grep -q -- "--key $state/key" up.log || fault "up does not say where the key is:
 check [ "$(stat -c %a "$state/key") $(stat -c %a "$state")" = '600 700' ]
 check grep -qE '^[0-9a-f]{64}$' "$state/key"
 for pid in $(of_state pid); do
-  tr '\0' '\n' <"/proc/$pid/environ" | grep -qx "PROSPECT_KEY_FILE=$state/key" || fault "process $pid has no key"
+  grep -zqx "PROSPECT_KEY_FILE=$state/key" "/proc/$pid/environ" || fault "process $pid has no key"
 done
 says 12 'already up on this bus' "$prospect" up --task navigation --weights scripted
 
@@ -199,7 +199,7 @@ grep -q 'earlier deployment crashed' up.log || fault "the crash is not said: $(c
 grep -q 'open.*can move the robot' up.log || fault "an open bus is not said: $(cat up.log)"
 check [ ! -e "$state/key" ]
 for pid in $(of_state pid); do
-  ! tr '\0' '\n' <"/proc/$pid/environ" | grep -q '^PROSPECT_KEY_FILE=.' || fault "process $pid has a key"
+  ! grep -zq '^PROSPECT_KEY_FILE=.' "/proc/$pid/environ" || fault "process $pid has a key"
 done
 says 0 '^Down' "$prospect" down
 check lives "$stranger"

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kScenes = 10;        // of each task
+constexpr int kScenes = 20;        // of each task
 constexpr int kFirst = 1'400'000;  // tuning scenes: never in a reported figure
 constexpr int kSamples = 20;
 constexpr int kAttempts = 5;

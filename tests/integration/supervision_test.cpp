@@ -180,6 +180,8 @@ TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   EXPECT_EQ(Ask({"given-up"}), 10);
   EXPECT_NE(ReadText(folder + "/asked.log").find("model ended: "), std::string::npos);
 
+  // Who gives up does so sooner than a world is built.
+  ASSERT_TRUE(witness.Until([&] { return witness.Ready("simulator", 1); }, 10000));
   Process status("prospect-bus",
                  {"status", "--bus", witness.bus.url(), "--services-file",
                   folder + "/services.json", "--json", folder + "/status.json"},

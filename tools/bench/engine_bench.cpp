@@ -11,6 +11,7 @@
 #include "model/inference/packed_matrix.h"
 #include "model/weights_file.h"
 #include "tools/bench/cpu_clock.h"
+#include "tools/bench/engine_agreement.h"
 #include "tools/bench/matrix_peak.h"
 
 namespace prospect::tools {
@@ -19,8 +20,9 @@ namespace {
 using model::inference::Grid;
 using nlohmann::json;
 
-constexpr int kWidth = 64;           // channels inside T
-constexpr double kLeastTime = 0.02;  // seconds a measurement takes at least
+constexpr std::uint64_t kFirstScene = 1'000'000;  // of those for tuning
+constexpr int kWidth = 64;                        // channels inside T
+constexpr double kLeastTime = 0.02;               // seconds a measurement takes at least
 
 double SecondsOf(const std::function<void()>& work) {
   int times = 0;
@@ -175,6 +177,12 @@ json BenchEngine(const cli::BenchEngineOptions& options) {
       options.pairs, 1, [&] { engine->Encode(picture); }, [&] { torch->Encode(picture); });
   figures["decode"] = InTurns(
       options.pairs, 1, [&] { engine->Decode({h}); }, [&] { torch->Decode({h}); });
+  const EngineAgreement agreement =
+      Compare(*engine, *torch, options.task, kFirstScene, options.scenes);
+  figures["agreement"] = {{"scenes", options.scenes},         {"states", agreement.states},
+                          {"judged", agreement.judged},       {"state", agreement.state},
+                          {"picture", agreement.picture},     {"decisions", agreement.decisions},
+                          {"differing", agreement.differing}, {"tie", agreement.tie}};
   return figures;
 }
 

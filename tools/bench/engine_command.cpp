@@ -16,6 +16,22 @@ void PrintPair(const std::string& what, const json& pair) {
               pair["torch_ms"].get<double>(), pair["ratio"].get<double>());
 }
 
+void PrintAgreement(const json& agreement) {
+  std::printf(
+      "Beside libtorch's answers in %d imagined states of %d scenes, largest difference: %.1e in "
+      "V, "
+      "f, Q and p, %.1e in a state, %.1e in a picture.\n",
+      agreement["states"].get<int>(), agreement["scenes"].get<int>(),
+      agreement["judged"].get<double>(), agreement["state"].get<double>(),
+      agreement["picture"].get<double>());
+  if (agreement["decisions"] == 0) return;
+  std::printf("Plans: %d of %d differ", agreement["differing"].get<int>(),
+              agreement["decisions"].get<int>());
+  if (agreement["differing"] != 0)
+    std::printf(", whose scores lie %.1e apart at most", agreement["tie"].get<double>());
+  std::printf(".\n");
+}
+
 void Print(const json& figures) {
   std::printf("%-14s %9s %12s %7s %7s\n", "", "ms", "libtorch ms", "ratio", "peak");
   for (const json& row : figures["rows"]) {
@@ -37,6 +53,7 @@ void Print(const json& figures) {
       "MMA: million multiply-adds a row, as the windows have them.\n",
       figures["task"].get<std::string>().c_str(), figures["engine"].get<std::string>().c_str(),
       figures["pairs"].get<int>(), figures["matrix_product_gflops"].get<double>());
+  PrintAgreement(figures["agreement"]);
 }
 
 }  // namespace

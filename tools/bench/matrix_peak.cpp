@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <numeric>
+#include <vector>
 
 #include "model/training/parallel.h"
+#include "tools/bench/cpu_clock.h"
 
 namespace prospect::tools {
 namespace {
@@ -18,14 +21,16 @@ double GigaFlops(std::int64_t size, std::int64_t products) {
   return 2e-9 * n * n * n * static_cast<double>(products);
 }
 
-double LeastSeconds(const std::function<void()>& work) {
-  using Clock = std::chrono::steady_clock;
+template <typename Clock>
+double SecondsOf(const std::function<void()>& work) {
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double LeastOf(const std::function<double()>& seconds) {
   double least = 1e9;
-  for (int i = 0; i < kTries; ++i) {
-    const Clock::time_point begin = Clock::now();
-    work();
-    least = std::min(least, std::chrono::duration<double>(Clock::now() - begin).count());
-  }
+  for (int i = 0; i < kTries; ++i) least = std::min(least, seconds());
   return least;
 }
 
@@ -36,19 +41,25 @@ void Multiply(const torch::TensorOptions& options, std::int64_t size, int produc
   for (int i = 0; i < products; ++i) torch::mm_out(c, a, a);
 }
 
+/// By the threads' own processor time: what else runs on the machine lowers no peak.
 double CpuGflops(int threads) {
-  const double seconds = LeastSeconds([threads] {
-    model::ParallelPieces(threads, 1, threads, [](std::int64_t, std::int64_t) {
-      Multiply(torch::kFloat, kCpuSize, kCpuProducts);
+  const double seconds = LeastOf([threads] {
+    std::vector<double> each(static_cast<std::size_t>(threads));
+    model::ParallelPieces(threads, 1, threads, [&](std::int64_t begin, std::int64_t) {
+      each[static_cast<std::size_t>(begin)] =
+          SecondsOf<CpuClock>([] { Multiply(torch::kFloat, kCpuSize, kCpuProducts); });
     });
+    return std::accumulate(each.begin(), each.end(), 0.0) / threads;
   });
   return GigaFlops(kCpuSize, static_cast<std::int64_t>(kCpuProducts) * threads) / seconds;
 }
 
 double CudaGflops(const torch::Device& device, torch::Dtype type) {
-  const double seconds = LeastSeconds([&] {
-    Multiply(torch::TensorOptions(type).device(device), kCudaSize, kCudaProducts);
-    torch::cuda::synchronize();
+  const double seconds = LeastOf([&] {
+    return SecondsOf<std::chrono::steady_clock>([&] {
+      Multiply(torch::TensorOptions(type).device(device), kCudaSize, kCudaProducts);
+      torch::cuda::synchronize();
+    });
   });
   return GigaFlops(kCudaSize, kCudaProducts) / seconds;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/installation.h"
 #include "model/engine.h"
 #include "model/novelty.h"
 #include "sim/oracle_cache.h"
@@ -35,7 +36,8 @@ class SceneBench::Impl {
         task_(sim::MakeTask(options.task, options.world)),
         engine_(model::LoadSearchEngine(options.weights, 1)),
         gauge_(model::NoveltyGauge::Load(options.weights)),
-        cache_(sim::OracleKeyOf(*task_, options.world.objects)) {
+        cache_(sim::OracleKeyOf(*task_, options.world.objects), "",
+               cli::DataFolder("config/oracle")) {
     if (!options.goal.empty()) {
       sim::OracleKey key = sim::OracleKeyOf(*task_, options.world.objects);
       key.goal = planner::ToString(options.goal);

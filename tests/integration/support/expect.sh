@@ -10,7 +10,7 @@ checks=0
 faults=0
 
 # Lines of progress end before the line that says what is wrong.
-without_progress() { grep -vE '^[0-9]+ of [0-9]+ (trials|scenes)|^reading labels|^[a-z-]+ +[0-9]+/[0-9]+ ' || true; }
+without_progress() { grep -vE '^[0-9]+ of [0-9]+ .*[0-9]:[0-9]{2} left|^reading labels|^[a-z-]+ +[0-9]+/[0-9]+ ' || true; }
 
 expect() {
   local code=$1 text=$2 got said lines

@@ -45,6 +45,21 @@ TEST_F(OracleCacheTest, KeepsWholeResultsAcrossProcesses) {
   EXPECT_FALSE(cache.Find(18).has_value());
 }
 
+TEST_F(OracleCacheTest, KnowsWhatComesWithProspectAndWritesOnlyItsOwn) {
+  const std::string bundled = folder_ + "/bundled", own = folder_ + "/own";
+  {
+    OracleCache first(key_, bundled);
+    ConsultOracleCached(task_, 17, first);
+  }
+  OracleCache cache(key_, own, bundled);
+  EXPECT_TRUE(cache.Find(17).has_value());
+  ConsultOracleCached(task_, 18, cache);
+  EXPECT_FALSE(OracleCache(key_, bundled).Find(18).has_value());
+  EXPECT_FALSE(OracleCache(key_, own).Find(17).has_value()) << "it is not copied";
+  EXPECT_FALSE(OracleCache({"scripted", "world-2", 4, 3}, own, bundled).Find(17).has_value())
+      << "another world";
+}
+
 TEST_F(OracleCacheTest, KeepsActionsOfALargeTable) {
   OracleResult stored;
   stored.scene_class = SceneClass::kSolvable;

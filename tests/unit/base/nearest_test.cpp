@@ -1,8 +1,8 @@
-#include "cli/nearest.h"
+#include "base/nearest.h"
 
 #include <gtest/gtest.h>
 
-namespace prospect::cli {
+namespace prospect::base {
 namespace {
 
 const std::vector<std::string> kKnown{"demo", "explain",  "evaluate", "train",
@@ -28,4 +28,4 @@ TEST(NearestWord, NothingIsNearToWhatIsFar) {
 }
 
 }  // namespace
-}  // namespace prospect::cli
+}  // namespace prospect::base

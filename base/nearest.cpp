@@ -1,9 +1,9 @@
-#include "cli/nearest.h"
+#include "base/nearest.h"
 
 #include <algorithm>
 #include <cstddef>
 
-namespace prospect::cli {
+namespace prospect::base {
 namespace {
 
 // Damerau's distance, where neighbours that changed places count as one mistake.
@@ -40,4 +40,4 @@ std::string NearestWord(std::string_view typed, const std::vector<std::string>& 
   return nearest;
 }
 
-}  // namespace prospect::cli
+}  // namespace prospect::base
