@@ -28,12 +28,6 @@ using namespace prospect;
 
 // Microseconds; kFastest: what a recorder can follow.
 constexpr std::int64_t kTick = 500'000, kFastest = 2'000, kSilent = 3'000'000;
-const std::pair<const char*, const char*> kCauses[] = {
-    {"reach", "it stands out of this gripper's reach"},
-    {"blocked", "another block stands on it"},
-    {"gone", "it was put away before"},
-    {"lid", "the lid is on this bin"},
-    {"full", "this bin is full"}};
 
 // The wall clock may jump: it stamps messages, and all time-outs go by the steady one.
 template <class Clock>
@@ -219,7 +213,7 @@ class Robot {
     t.image_width = t.image_height = sorting::kPixels;
     t.tick_seconds = 1e-6 * kTick;
     t.action_time_limit = 2 * sorting::kTicks * t.tick_seconds;
-    for (const auto& [name, words] : kCauses) t.causes.push_back({name, words});
+    for (const auto& [name, words] : sorting::kCauses) t.causes.push_back({name, words});
     t.num_causes = static_cast<std::int32_t>(t.causes.size());
     Publish("TASK", &t);
   }
