@@ -178,7 +178,7 @@ class Compiler {
 
  private:
   void RequireKnown(const std::string& name) const {
-    if (IsOpen(name) || names_.count(name)) return;
+    if (IsOpen(name) || names_.contains(name)) return;
     throw GoalError("there is no '" + name + "' in this task; there are: " + Listed(names_));
   }
 
@@ -191,7 +191,7 @@ class Compiler {
     const std::string& name = atom.arguments[0];
     if (visits_.empty()) throw GoalError("this task visits nothing: its goals are on(A,B)");
     RequireKnown(name);
-    if (!visits_.count(name)) throw GoalError("this task cannot visit " + name);
+    if (!visits_.contains(name)) throw GoalError("this task cannot visit " + name);
     const std::uint8_t fact = NewFact();
     for (std::size_t action = 0; action < words_.size(); ++action) {
       if (words_[action].kind != kVisitKind || words_[action].object != name) continue;
