@@ -41,7 +41,7 @@ std::string EpisodeGoal::Defect(const TaskView& task,
   const auto present = ObjectsPresent(task, *label);
   for (const auto& atom : atoms_) {
     for (const auto& name : atom.arguments) {
-      if (name != "*" && !present.count(name))
+      if (name != "*" && !present.contains(name))
         return "there is no " + name + " in this scene; there are: " + base::Joined(present);
     }
   }

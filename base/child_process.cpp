@@ -44,7 +44,7 @@ std::vector<std::string> EnvironmentWith(const std::map<std::string, std::string
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
-    if (changes.count(text.substr(0, text.find('='))) == 0) all.push_back(text);
+    if (!changes.contains(text.substr(0, text.find('=')))) all.push_back(text);
   }
   for (const auto& [name, value] : changes) all.push_back(name + "=" + value);
   return all;

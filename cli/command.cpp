@@ -34,7 +34,7 @@ std::string NeighbourWith(const std::string& option, const std::string& command)
 
 // "train" of an app of ours.
 std::string CommandOf(const CLI::App& app) {
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   return name.substr(name.find(' ') + 1);
 }
 

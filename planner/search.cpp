@@ -164,6 +164,7 @@ std::vector<Path> Search::Advance(int max_new_leaves, std::int64_t now_us) {
   statistics_.ExpireLeases(now_us);
   StartRollouts(max_new_leaves + ResumeRollouts(now_us, &requests), now_us, &requests);
   freed_.clear();
+  if (finished(now_us) && !announced_finished_) hurried_ = true;
   return requests;
 }
 
@@ -251,7 +252,8 @@ StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) 
   hurried_ = false;
   statistics_.SetClaim(claims_.claimed(), claims_.round());
   statistics_.SetOwnEvaluations(own_evaluations_);
-  statistics_.SetFinished(finished(now_us));
+  announced_finished_ = finished(now_us);
+  statistics_.SetFinished(announced_finished_);
   return statistics_.MakeBatch(byte_budget, now_us);
 }
 

@@ -92,9 +92,9 @@ class Search {
   // call it every 20 to 50 ms, and before the first Advance where others may be at work, so that
   // they know of each other.
   StatisticsBatch MakeBatch(std::size_t byte_budget, std::int64_t now_us);
-  // This worker had used up its claim and has just renewed it, or still waits for others' claims
-  // and has not said its own for some milliseconds: others may be waiting, too. Send MakeBatch now
-  // and not at the next tick.
+  // This worker had used up its claim and has just renewed it, still waits for others' claims and
+  // has not said its own for some milliseconds, or is finished and nobody knows: others may be
+  // waiting, too. Send MakeBatch now and not at the next tick.
   bool WantsExchange() const { return hurried_; }
   // Visited paths whose evaluation was never heard here, at most `limit`: ask for them before
   // BestPlan, or it may differ from other processes' plans.
@@ -207,6 +207,7 @@ class Search {
   bool advanced_ = false;  // a worker, not an observer
   bool hurried_ = false;
   std::int64_t announced_us_ = 0;  // when the last batch was made
+  bool announced_finished_ = false;
   bool stopped_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "sim/scene_camera.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "sim/embree_scene.h"
+#include "sim/picture_changes.h"
 #include "sim/traced_picture.h"
 
 namespace prospect::sim {
@@ -68,9 +70,11 @@ struct SceneCamera::Impl {
   void AddPiece(const VisualBody& visual);
   void Pose(const std::vector<Eigen::Isometry3d>& poses);
   void Place(Piece* piece, const Eigen::Isometry3d& pose);
-  void Trace(const View& view, const float u[kLanes], const float v[kLanes],
-             Color colors[kLanes]) const;
-  void Shade(const RTCRayHit4& rays, Color colors[kLanes]) const;
+  const PictureChanges* Changes(const CameraDescription& camera, double light_scale, int width,
+                                int height, const std::vector<Eigen::Isometry3d>& poses);
+  void Trace(const View& view, const float u[kLanes], const float v[kLanes], Color colors[kLanes],
+             Trail trails[kLanes]) const;
+  void Shade(const RTCRayHit4& rays, Color colors[kLanes], Trail trails[kLanes]) const;
   void Shadows(const RTCRayHit4& rays, const Eigen::Vector3f normals[kLanes],
                bool lit[kLanes]) const;
 
@@ -78,6 +82,12 @@ struct SceneCamera::Impl {
   Eigen::Vector3f lamp;
   RTCScene scene;
   std::vector<Piece> pieces;  // the still one first
+
+  // The kept picture: what it shows, and how that came about.
+  TracedPicture picture{kAlike};
+  PictureChanges changes;
+  std::vector<std::vector<PictureChanges::Placed>> parts;  // by piece
+  std::array<double, 10> kept = {};                        // its view, light and size
 };
 
 SceneCamera::Impl::Impl(const SceneVisuals& visuals)
@@ -88,6 +98,8 @@ SceneCamera::Impl::Impl(const SceneVisuals& visuals)
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);
   AddPiece(visuals.still);
   for (const VisualBody& body : visuals.moving) AddPiece(body);
+  parts.resize(1);  // what stands still changes nothing
+  for (const VisualBody& body : visuals.moving) parts.push_back(PartBoxes(body));
 }
 
 SceneCamera::Impl::~Impl() {
@@ -145,9 +157,34 @@ void SceneCamera::Impl::Pose(const std::vector<Eigen::Isometry3d>& poses) {
   rtcCommitScene(scene);
 }
 
+// What changed since the kept picture, which this one replaces; null if it is not to be kept.
+const PictureChanges* SceneCamera::Impl::Changes(const CameraDescription& camera,
+                                                 double light_scale, int width, int height,
+                                                 const std::vector<Eigen::Isometry3d>& poses) {
+  if (!KeepsPicture(width, height)) return nullptr;
+  const Eigen::Vector3d& eye = camera.eye;
+  const Eigen::Vector3d& target = camera.target;
+  const std::array<double, 10> wanted = {eye.x(),     eye.y(),     eye.z(),    target.x(),
+                                         target.y(),  target.z(),  camera.fov, light_scale,
+                                         1.0 * width, 1.0 * height};
+  if (wanted != kept) {
+    const View view = MakeView(camera, width, height);
+    changes.Start(Projection::Perspective(view.eye.cast<double>(), view.forward.cast<double>(),
+                                          view.right.cast<double>(), view.up.cast<double>()),
+                  width, height, Projection::Parallel(lamp.cast<double>().normalized()), target,
+                  (target - eye).norm());
+    kept = wanted;
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (PictureChanges::Placed& part : parts[i + 1]) part.pose = poses[i];
+  }
+  changes.Next(parts);
+  return &changes;
+}
+
 // The colours at kLanes places of the picture (u to the right, v down, 0 to 1).
 void SceneCamera::Impl::Trace(const View& view, const float u[kLanes], const float v[kLanes],
-                              Color colors[kLanes]) const {
+                              Color colors[kLanes], Trail trails[kLanes]) const {
   alignas(16) RTCRayHit4 rays = {};
   alignas(16) const int valid[kLanes] = {-1, -1, -1, -1};
   for (int i = 0; i < kLanes; ++i) {
@@ -166,14 +203,16 @@ void SceneCamera::Impl::Trace(const View& view, const float u[kLanes], const flo
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   rtcIntersect4(valid, scene, &context, &rays);
-  Shade(rays, colors);
+  Shade(rays, colors, trails);
 }
 
-void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) const {
+void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes],
+                              Trail trails[kLanes]) const {
   Eigen::Vector3f normals[kLanes];
   bool lit[kLanes];
   for (int i = 0; i < kLanes; ++i) {
     lit[i] = false;
+    trails[i] = {};
     normals[i].setZero();
     if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     normals[i] = {rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]};
@@ -181,6 +220,10 @@ void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) cons
     const Eigen::Vector3f ray(rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]);
     if (normals[i].dot(ray) > 0) normals[i] = -normals[i];
     lit[i] = normals[i].dot(lamp) > 0;
+    trails[i].piece = static_cast<int>(rays.hit.geomID[i]);
+    if (!lit[i]) continue;
+    const Eigen::Vector3f origin(rays.ray.org_x[i], rays.ray.org_y[i], rays.ray.org_z[i]);
+    trails[i].lamp_cell = changes.LampCell(origin + rays.ray.tfar[i] * ray);
   }
   Shadows(rays, normals, lit);
   const auto even = static_cast<float>(light.ambient);
@@ -189,6 +232,7 @@ void SceneCamera::Impl::Shade(const RTCRayHit4& rays, Color colors[kLanes]) cons
       colors[i] = light.sky;
       continue;
     }
+    trails[i].lit = lit[i];
     const float direct = lit[i] ? normals[i].dot(lamp) : 0.f;
     const float around = 1 - kFromAbove + kFromAbove * normals[i].z();
     colors[i] = pieces[rays.hit.geomID[i]].colors[rays.hit.primID[i]] *
@@ -230,9 +274,11 @@ Image SceneCamera::Render(const CameraDescription& camera,
   CheckPictureSize(width, height);
   impl_->Pose(poses);
   const View view = MakeView(camera, width, height);
-  return TracedPicture(
-      width, height, kAlike, light,
-      [&](const float* u, const float* v, Color* colors) { impl_->Trace(view, u, v, colors); });
+  return impl_->picture.Render(width, height, light,
+                               impl_->Changes(camera, light, width, height, poses),
+                               [&](const float* u, const float* v, Color* colors, Trail* trails) {
+                                 impl_->Trace(view, u, v, colors, trails);
+                               });
 }
 
 DepthImage SceneCamera::RenderDepth(const CameraDescription& camera,

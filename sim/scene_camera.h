@@ -39,7 +39,9 @@ Eigen::Vector2d SeenAt(const CameraDescription& view, const Eigen::Vector3d& poi
 // lamp with hard shadows and an even light from all sides; no GL, no window.
 //
 // Embree is held to one thread and to SSE 4.2, so that pictures are the same bits on every x86-64
-// processor. Threads: one at a time per object. Make cameras after a fork, not before.
+// processor. What nothing touched since a small picture of the same view and light is not traced
+// again (sim/traced_picture.h). Threads: one at a time per object. Make cameras after a fork, not
+// before.
 class SceneCamera {
  public:
   explicit SceneCamera(const SceneVisuals& visuals);

@@ -22,6 +22,8 @@ void Define(CLI::App& app, ExecutiveOptions& options) {
 std::string Defect(const ExecutiveOptions& options) {
   if (options.explain_only && options.acting.policy != "search")
     return "--explain-only needs --policy search";
+  if (options.trials.episodes > 0 && options.episode.out.empty())
+    return "--episodes counts trials in a folder: give --out";
   return TrialLoopDefect(options.trials, options.acting);
 }
 

@@ -41,6 +41,17 @@ int ExplainWhatIsUp(const ExplainOptions& options, const Invocation& invocation,
   return RunExecutive(invocation, call);
 }
 
+// What stands before a robot is not explained by another scene: services that another machine or
+// user has up are found by what they say.
+int ExplainWhatIsHeard(const ExplainOptions& options, const Invocation& invocation,
+                       ExecutiveCall call) {
+  RequireRoute(call.bus);
+  const int heard = RunToEnd({PathOf("prospect-bus"), "heard", "--bus", call.bus});
+  if (heard != 0) return heard;
+  call.workers = options.episode.workers > 0 ? options.episode.workers : kUsualWorkers;
+  return RunExecutive(invocation, call);
+}
+
 int ExplainAlone(const ExplainOptions& options, const Invocation& invocation, ExecutiveCall call) {
   const EpisodeOptions& episode = options.episode;
   const std::string task = episode.task.empty() ? DefaultTask() : episode.task;
@@ -74,8 +85,9 @@ int Run(const ExplainOptions& options, const Invocation& invocation) {
   call.more = {"--explain-only"};
   TakeKey(episode.bus.key);
   const auto up = Deployment(call.bus).Join(WishesOf(episode, options.start.weights));
-  const int status = up ? ExplainWhatIsUp(options, invocation, *up, call)
-                        : ExplainAlone(options, invocation, call);
+  const int status = up              ? ExplainWhatIsUp(options, invocation, *up, call)
+                     : options.reset ? ExplainAlone(options, invocation, call)
+                                     : ExplainWhatIsHeard(options, invocation, call);
   if (episode.report.talks())
     TellFiles(call.out,
               {"explain.html", "chosen.png", "alternative-1.png", "alternative-2.png",

@@ -47,7 +47,7 @@ void Conversation::RequireWorld() const {
   if (worlds_.empty()) return;
   const std::set<std::int64_t> live = LiveWorlds();
   const bool newcomer =
-      std::any_of(live.begin(), live.end(), [this](auto id) { return worlds_.count(id) == 0; });
+      std::any_of(live.begin(), live.end(), [this](auto id) { return !worlds_.contains(id); });
   if (newcomer) {
     throw ExitError(kExitServiceLost,
                     "the simulator or robot was started again or another one came: the scene that "

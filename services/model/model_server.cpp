@@ -74,7 +74,7 @@ bool ModelServer::Suits(const search_root_t& root) const {
 }
 
 void ModelServer::OnRoot(const search_root_t& root) {
-  if (stopped_searches_.count(root.search_id) || !Suits(root)) return;
+  if (stopped_searches_.contains(root.search_id) || !Suits(root)) return;
   if (Active* active = Find(root.search_id, root.epoch)) {
     active->heard_ms = SteadyMs();
     return;

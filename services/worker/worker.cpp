@@ -63,7 +63,7 @@ void Worker::OnInfo(const model_info_t& info) {
 }
 
 bool Worker::Wanted(const search_root_t& root, std::int64_t now_ms) const {
-  if (stopped_searches_.count(root.search_id)) return false;
+  if (stopped_searches_.contains(root.search_id)) return false;
   if (!task_ || task_->task_hash != root.task_hash) return false;
   if (!shared_) return true;
   if (shared_->root().search_id == root.search_id) return root.epoch > shared_->root().epoch;
@@ -220,6 +220,7 @@ void Worker::Report() {
 
 int Worker::TimeoutMs(std::int64_t now_ms) const {
   if (phase_ == Phase::kIdle) return kLongestWaitMs;
+  if (shared_->search().WantsExchange()) return 0;
   const std::int64_t until = std::min(kLongestWaitMs, statistics_due_.Remaining(now_ms));
   return static_cast<int>(window_.Remaining(now_ms, until));
 }

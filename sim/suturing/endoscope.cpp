@@ -1,6 +1,7 @@
 #include "sim/suturing/endoscope.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "sim/embree_scene.h"
+#include "sim/picture_changes.h"
 #include "sim/suturing/suturing_world.h"
 #include "sim/suturing/visuals.h"
 #include "sim/traced_picture.h"
@@ -70,8 +72,11 @@ struct Endoscope::Impl {
   void AddThread();
   void Place(Piece* piece, const Isometry3d& pose);
   void PlaceThread(const std::vector<Strand>& strands);
-  void Trace(const View& view, const float u[kLanes], const float v[kLanes],
-             Color colors[kLanes]) const;
+  const PictureChanges* Changes(const View& view, const std::array<double, 4>& wanted,
+                                const std::vector<Isometry3d>& poses,
+                                const std::vector<Strand>& strands);
+  void Trace(const View& view, const float u[kLanes], const float v[kLanes], Color colors[kLanes],
+             Trail trails[kLanes]) const;
   void Lit(const Vector3f at[kLanes], const Vector3f normals[kLanes], bool lit[kLanes]) const;
   Color Shaded(unsigned geometry, unsigned primitive, const Vector3f& at, const Vector3f& normal,
                const Vector3f& ray, bool lit) const;
@@ -85,6 +90,12 @@ struct Endoscope::Impl {
   RTCGeometry thread = nullptr;
   float* thread_points = nullptr;          // x, y, z, radius
   std::uint32_t* thread_starts = nullptr;  // first point of each piece of thread
+
+  // The kept picture: what it shows, and how that came about.
+  TracedPicture picture{kAlike};
+  PictureChanges changes;
+  std::vector<std::vector<PictureChanges::Placed>> parts;  // by piece, the thread's last
+  std::array<double, 4> kept = {};                         // its eye, light and size
 };
 
 Endoscope::Impl::Impl(const SuturingParameters& p, const SuturingLook& the_look)
@@ -98,6 +109,8 @@ Endoscope::Impl::Impl(const SuturingParameters& p, const SuturingLook& the_look)
   }
   AddPiece(NeedleVisual(p), kMetal);
   AddThread();
+  parts.front().clear();  // what stands still changes nothing
+  parts.emplace_back();
   lamp = (look.eye + Vector3d(-0.012, 0.004, 0.008)).cast<float>();
   lamp_distance = (lamp - look.target.cast<float>()).norm();
 }
@@ -132,6 +145,7 @@ void Endoscope::Impl::AddPiece(const VisualBody& visual, const Gloss& gloss) {
   Place(&piece, Isometry3d::Identity());
   rtcAttachGeometryByID(scene, piece.geometry, static_cast<unsigned>(pieces.size()));
   pieces.push_back(std::move(piece));
+  parts.push_back(PartBoxes(visual));
 }
 
 // The thread is a chain of round segments; those not in use are points inside the pad.
@@ -175,9 +189,40 @@ void Endoscope::Impl::PlaceThread(const std::vector<Strand>& strands) {
   rtcCommitGeometry(thread);
 }
 
+// What changed since the kept picture, which this one replaces.
+const PictureChanges* Endoscope::Impl::Changes(const View& view,
+                                               const std::array<double, 4>& wanted,
+                                               const std::vector<Isometry3d>& poses,
+                                               const std::vector<Strand>& strands) {
+  if (wanted != kept) {
+    const Vector3d forward = view.forward.cast<double>();
+    const Vector3d right = view.right.cast<double>(), up = view.up.cast<double>();
+    constexpr double kLampReach = 1.4;  // half pictures
+    changes.Start(Projection::Perspective(view.eye.cast<double>(), forward, right, up),
+                  static_cast<int>(wanted[2]), static_cast<int>(wanted[3]),
+                  Projection::Perspective(lamp.cast<double>(), forward, right, up), look.target,
+                  kLampReach);
+    kept = wanted;
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (PictureChanges::Placed& part : parts[i + 1]) part.pose = poses[i];
+  }
+  parts.back().clear();
+  for (const Strand& strand : strands) {
+    for (std::size_t i = 1; i < strand.size(); ++i) {
+      Eigen::AlignedBox3d box(strand[i - 1].cwiseMin(strand[i]), strand[i - 1].cwiseMax(strand[i]));
+      box.min().array() -= 1.01 * kThreadRadius;
+      box.max().array() += 1.01 * kThreadRadius;
+      parts.back().push_back({box});
+    }
+  }
+  changes.Next(parts);
+  return &changes;
+}
+
 // The colours at kLanes places of the picture (u to the right, v down, 0 to 1).
 void Endoscope::Impl::Trace(const View& view, const float u[kLanes], const float v[kLanes],
-                            Color colors[kLanes]) const {
+                            Color colors[kLanes], Trail trails[kLanes]) const {
   alignas(16) RTCRayHit4 rays = {};
   alignas(16) const int valid[kLanes] = {-1, -1, -1, -1};
   Vector3f directions[kLanes], at[kLanes], normals[kLanes];
@@ -201,14 +246,18 @@ void Endoscope::Impl::Trace(const View& view, const float u[kLanes], const float
   for (int i = 0; i < kLanes; ++i) {
     lit[i] = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     colors[i].setZero();
+    trails[i] = {};
     if (!lit[i]) continue;
+    trails[i].piece = static_cast<int>(rays.hit.geomID[i]);
     normals[i] = Vector3f(rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]).normalized();
     if (normals[i].dot(directions[i]) > 0) normals[i] = -normals[i];
     at[i] = view.eye + rays.ray.tfar[i] * directions[i] + kLift * normals[i];
+    if (normals[i].dot(lamp - at[i]) > 0) trails[i].lamp_cell = changes.LampCell(at[i]);
   }
   Lit(at, normals, lit);
   for (int i = 0; i < kLanes; ++i) {
     if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    trails[i].lit = lit[i];
     const float x = 2 * u[i] - 1, y = 2 * v[i] - 1;
     const float corner = (x * x + y * y) / 2;
     colors[i] = Shaded(rays.hit.geomID[i], rays.hit.primID[i], at[i], normals[i],
@@ -279,9 +328,14 @@ Image Endoscope::Render(const std::vector<Isometry3d>& poses, const std::vector<
   impl_->PlaceThread(thread);
   rtcCommitScene(impl_->scene);
   const View view = MakeView(impl_->look, sideways, width, height);
-  return TracedPicture(
-      width, height, kAlike, light,
-      [&](const float* u, const float* v, Color* colors) { impl_->Trace(view, u, v, colors); });
+  const PictureChanges* changes =
+      KeepsPicture(width, height)
+          ? impl_->Changes(view, {sideways, light, 1.0 * width, 1.0 * height}, poses, thread)
+          : nullptr;
+  return impl_->picture.Render(width, height, light, changes,
+                               [&](const float* u, const float* v, Color* colors, Trail* trails) {
+                                 impl_->Trace(view, u, v, colors, trails);
+                               });
 }
 
 Eigen::Vector2d SeenAt(const SuturingLook& look, const Vector3d& point, int width, int height) {

@@ -13,7 +13,7 @@ namespace prospect::sim {
 // What an endoscope sees of a suturing scene: a pinhole camera that casts rays with Embree, its
 // lamp beside the lens, so that light falls off with distance, metal and wet tissue shine, and
 // shadows stay narrow; the picture darkens towards its corners. Rays as in sim/scene_camera.h: one
-// thread, SSE 4.2, the same bits on every x86-64 processor.
+// thread, SSE 4.2, the same bits on every x86-64 processor, and nothing traced again in vain.
 //
 // Threads: one at a time per object. Make it after a fork, not before.
 class Endoscope {

@@ -147,7 +147,9 @@ void PadTexture::Mark(const SuturingParameters& p, const SuturingLook& look) {
       texel *= F(1 + (width > 0 ? 0.08 * lip : 0));
       for (int i = 0; i < p.throws; ++i) {
         for (const Vector3d& dot : {EntryDot(p, i), ExitDot(p, i)}) {
-          const double off = std::hypot(x - dot.x() * 1e3, y - dot.y() * 1e3);
+          const double off_x = x - dot.x() * 1e3, off_y = y - dot.y() * 1e3;
+          if (std::max(std::abs(off_x), std::abs(off_y)) > kDot + kSoft) continue;
+          const double off = std::hypot(off_x, off_y);
           if (off > kDot + kSoft) continue;
           texel += F(std::clamp((kDot - off) / kSoft + 0.5, 0.0, 1.0)) * (look.dot - texel);
         }

@@ -203,7 +203,7 @@ std::map<std::string, CameraDescription> ReadCameras(const YamlReader& yaml) {
     camera.fov = one.Number("fov_degrees", 1, 170) * M_PI / 180;
     if ((camera.target - camera.eye).norm() < 1e-3) one.Fail("target", "must not be the eye");
   }
-  if (cameras.count("robot") == 0) yaml.Fail("robot", "is missing: the camera that is observed");
+  if (!cameras.contains("robot")) yaml.Fail("robot", "is missing: the camera that is observed");
   return cameras;
 }
 

@@ -10,7 +10,7 @@ mkdir -p "$OUT"
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 
 episodes() {
-  ./prospect up --task stacking --samples "$SAMPLES" >"$OUT/up.log" 2>&1 || { cat "$OUT/up.log" >&2; exit 1; }
+  ./prospect up --task stacking >"$OUT/up.log" 2>&1 || { cat "$OUT/up.log" >&2; exit 1; }
   trap './prospect down >/dev/null' EXIT
   for ((seed = SEED; seed < SEED + SCENES; ++seed)); do
     # A scene that is refused or fails ends with an exit code of its own; its searches count like the others.

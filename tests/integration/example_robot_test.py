@@ -122,6 +122,22 @@ class ExampleRobot(unittest.TestCase):
         self.assertEqual(tried - succeeded, counts["outcomes"]["failed"])
         self.assertGreaterEqual(succeeded, 4 * counts["outcomes"]["solved"])
 
+    def test_a_person_who_sets_scenes_up_is_waited_for(self):
+        with Process(speed=0), tempfile.TemporaryDirectory() as out:
+            collect = [os.path.join(BIN, "prospect-executive"), "--policy", "collect", "--episodes", "3", "--out", out, "--quiet"]
+            ended = subprocess.run([*collect, "--pause"], input=b"\n\n", check=False, capture_output=True)
+            self.assertEqual(ended.returncode, 130, ended.stderr)
+            with open(os.path.join(out, "trials.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["episodes"], 2)
+
+    def test_without_a_reset_each_trial_must_be_a_new_episode(self):
+        with Process(speed=0), tempfile.TemporaryDirectory() as out:
+            ended = subprocess.run([os.path.join(BIN, "prospect-executive"), "--policy", "collect", "--episodes", "3", "--out", out,
+                                    "--no-reset", "--scene-timeout-ms", "1000"], check=False, capture_output=True)
+            self.assertEqual(ended.returncode, 16, ended.stderr)
+            with open(os.path.join(out, "trials.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["episodes"], 1)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=2)

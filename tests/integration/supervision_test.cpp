@@ -64,7 +64,7 @@ TEST_F(Supervision, StartsAgainWhatWasKilled) {
     kill(before, SIGKILL);
     const auto back = [&] {
       const auto services = Services();
-      return services.count(name) > 0 && services.at(name).at("restarts") == 1 &&
+      return services.contains(name) && services.at(name).at("restarts") == 1 &&
              services.at(name).at("pid") != before && services.at(name).at("state") == "running";
     };
     EXPECT_TRUE(witness.Until(back, 10000)) << name;
@@ -170,7 +170,7 @@ TEST_F(Supervision, GivesUpWhatAnotherStartCannotMend) {
   Process supervisor = Start("/no/such/weights.safetensors");
   const auto given_up = [&] {
     const auto services = Services();
-    return services.count("model") > 0 && services.at("model").at("state") == "given_up";
+    return services.contains("model") && services.at("model").at("state") == "given_up";
   };
   ASSERT_TRUE(witness.Until(given_up, 10000));
   const json model = Services().at("model");

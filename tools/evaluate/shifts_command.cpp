@@ -71,7 +71,7 @@ void MakeMissing(const Sweep& sweep, RecordFile* file) {
   std::vector<std::uint64_t> missing;
   for (int i = 0; i < options.scenes; ++i) {
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
-    if (file->records().count(seed) == 0) missing.push_back(seed);
+    if (!file->records().contains(seed)) missing.push_back(seed);
   }
   if (missing.empty()) return;
   const int scenes = static_cast<int>(missing.size());

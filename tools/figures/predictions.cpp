@@ -108,7 +108,7 @@ std::vector<Chain> DrawnChains(const HeldOut& held_out, int count, std::uint64_t
     int best = -1;
     for (int i = 0; i < places; ++i) {
       const auto at = static_cast<std::size_t>((from + i) % places);
-      if (taken.count({k, at}) > 0) continue;
+      if (taken.contains({k, at})) continue;
       if (best < 0 ||
           used[segments[at].action] < used[segments[static_cast<std::size_t>(best)].action]) {
         best = static_cast<int>(at);

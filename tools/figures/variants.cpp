@@ -164,7 +164,7 @@ std::vector<Chain> ChooseChains(const HeldOut& held_out, const TaskTable& table,
     std::size_t chosen = static_cast<std::size_t>(turn++) * 2 % places;
     for (std::size_t i = 0; i < places; ++i) {
       const std::size_t at = (chosen + i) % places;
-      if (kinds.count(table.Name(segments[at].action)) != 0) continue;
+      if (kinds.contains(table.Name(segments[at].action))) continue;
       chosen = at;
       break;
     }

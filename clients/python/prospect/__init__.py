@@ -13,6 +13,6 @@
 README.md of clients/python says more. lcm-gen adds the message types here when Prospect is built.
 """
 from .bus import Bus
-from .client import Robot, connect
+from .client import Lost, Robot, connect
 from .picture import Picture
 

@@ -20,6 +20,7 @@ from .predict_request_t import predict_request_t
 from .sim_command_t import sim_command_t
 from .task_t import task_t
 
+FOUND, REFUSED = 0, 3  # exit codes of explain
 HEARTBEAT, REPEAT, NOTICE, SILENT, SLACK = 1.0, 0.05, 5.0, 3.0, 30.0  # seconds
 
 
@@ -102,14 +103,13 @@ class Robot:
             search = subprocess.Popen(command + (["--key", self.key] if self.key else []))
             while search.poll() is None:
                 self._turn(0.02)
-            try:
-                with open(os.path.join(out, "result.json"), encoding="utf-8") as file:
-                    result = json.load(file)
-            except FileNotFoundError:
-                raise Lost(f"prospect explain ended with {search.returncode}") from None
-        found = result["searches"][0] if result["searches"] else {"decision": "refuse", "score": 0}
-        if search.returncode != 0 or found["decision"] != "act":
-            return Plan([], found["score"], found.get("reason") or result["reason"])
+            if search.returncode not in (FOUND, REFUSED):
+                raise Lost(f"prospect explain ended with {search.returncode}")  # and has said why
+            with open(os.path.join(out, "result.json"), encoding="utf-8") as file:
+                result = json.load(file)
+        found = result["searches"][0] if result["searches"] else {"score": 0.0}
+        if search.returncode == REFUSED:
+            return Plan([], found["score"], result["reason"])
         path, steps = [], []
         for row in result["steps"]:
             path.append(row["action"])

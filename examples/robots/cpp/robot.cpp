@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
@@ -25,13 +26,8 @@
 
 using namespace prospect;
 
-constexpr std::int64_t kTick = 500'000, kSilent = 3'000'000;  // microseconds
-const std::pair<const char*, const char*> kCauses[] = {
-    {"reach", "it stands out of this gripper's reach"},
-    {"blocked", "another block stands on it"},
-    {"gone", "it was put away before"},
-    {"lid", "the lid is on this bin"},
-    {"full", "this bin is full"}};
+// Microseconds; kFastest: what a recorder can follow.
+constexpr std::int64_t kTick = 500'000, kFastest = 2'000, kSilent = 3'000'000;
 
 // The wall clock may jump: it stamps messages, and all time-outs go by the steady one.
 template <class Clock>
@@ -52,7 +48,7 @@ class Robot {
   Robot(const std::string& bus, const std::string& key_file, double speed)
       : filter_(bus),
         lcm_(bus),
-        tick_(speed > 0 ? static_cast<std::int64_t>(static_cast<double>(kTick) / speed) : 0) {
+        tick_(std::max<std::int64_t>(kFastest, speed > 0 ? std::llround(kTick / speed) : 0)) {
     if (!key_file.empty()) key_.emplace(key_file);
     lcm_.subscribe("ACTION_COMMAND", &Robot::Hear<action_command_t>, this);
     lcm_.subscribe("SIM_COMMAND", &Robot::Hear<sim_command_t>, this);
@@ -171,7 +167,7 @@ class Robot {
   }
 
   void Tick() {
-    next_tick_ = std::max(next_tick_ + tick_, Now());
+    next_tick_ = Now() + tick_;
     ++status_.frame;
     status_.sim_time_us = kTick * status_.frame;
     const bool goes_on = world_.Tick();
@@ -217,7 +213,7 @@ class Robot {
     t.image_width = t.image_height = sorting::kPixels;
     t.tick_seconds = 1e-6 * kTick;
     t.action_time_limit = 2 * sorting::kTicks * t.tick_seconds;
-    for (const auto& [name, words] : kCauses) t.causes.push_back({name, words});
+    for (const auto& [name, words] : sorting::kCauses) t.causes.push_back({name, words});
     t.num_causes = static_cast<std::int32_t>(t.causes.size());
     Publish("TASK", &t);
   }

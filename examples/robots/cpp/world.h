@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The sorting table: two grippers, four coloured blocks, three bins; two of the blocks are to be
@@ -31,6 +32,12 @@ inline const std::vector<Action> kActions = {
     {kLeft, false, 0}, {kLeft, false, 1}, {kRight, false, 1}, {kRight, false, 2}};
 inline const std::vector<std::int32_t> kTakes = {0, 1, 2, 3, 4, 5, 6, 7};
 inline const std::vector<std::int32_t> kPuts[] = {{8, 9}, {10, 11}};  // of each gripper
+inline const std::pair<const char*, const char*> kCauses[] = {
+    {"reach", "it stands out of this gripper's reach"},
+    {"blocked", "another block stands on it"},
+    {"gone", "it was put away before"},
+    {"lid", "the lid is on this bin"},
+    {"full", "this bin is full"}};
 constexpr int kEnough = 2, kPlanLength = 4;  // blocks in bins, each taken and put
 constexpr int kPixels = 64;                  // a side of the picture
 constexpr int kTicks = 10;  // of an action; the gripper is there after half of them

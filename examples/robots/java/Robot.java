@@ -27,7 +27,8 @@ import prospect.task_t;
  * <p>LCM hears on a thread of its own, which only puts messages into a queue: everything else is one thread's.
  */
 public final class Robot {
-  private static final long TICK = 500_000_000, SILENT = 3_000_000_000L; // nanoseconds
+  // Nanoseconds; FASTEST: what a recorder can follow.
+  private static final long TICK = 500_000_000, FASTEST = 2_000_000, SILENT = 3_000_000_000L;
 
   /** Makes a message of one type from its bytes. */
   private interface Decoder<T> {
@@ -53,7 +54,7 @@ public final class Robot {
 
   Robot(String bus, Keyed key, double speed) throws IOException {
     this.key = key;
-    tick = speed > 0 ? (long) (TICK / speed) : 0;
+    tick = Math.max(FASTEST, speed > 0 ? (long) (TICK / speed) : 0);
     lcm = new LCM(bus);
     beginEpisode(anyId(), 0, 0);
     subscribe("ACTION_COMMAND", action_command_t::new, this::onAction);
@@ -198,7 +199,7 @@ public final class Robot {
   }
 
   private void tick() throws IOException {
-    nextTick = Math.max(nextTick + tick, System.nanoTime());
+    nextTick = System.nanoTime() + tick;
     ++status.frame;
     status.sim_time_us = TICK / 1000 * status.frame;
     boolean goesOn = world.tick();

@@ -41,7 +41,7 @@ std::map<std::string, json> Supervised::Services() const {
 
 int Supervised::PidOf(const std::string& name) const {
   const auto services = Services();
-  return services.count(name) > 0 ? services.at(name).at("pid").get<int>() : -1;
+  return services.contains(name) ? services.at(name).at("pid").get<int>() : -1;
 }
 
 std::vector<int> Supervised::Pids() const {

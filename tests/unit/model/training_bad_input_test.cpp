@@ -337,7 +337,7 @@ TEST_F(TrainingBadInput, CheckpointsOfAnotherConfigurationAreLeftAlone) {
   mixed.stages = {"classifier"};
   std::string stage_of_other;
   for (const auto& [name, bytes] : after) {
-    if (before.count(name) == 0 && fs::path(name).extension() == ".pt") stage_of_other = name;
+    if (!before.contains(name) && fs::path(name).extension() == ".pt") stage_of_other = name;
   }
   const fs::path target = fs::path(folder_ / "mixed/stages") / stage_of_other;
   fs::create_directories(target.parent_path());

@@ -62,7 +62,7 @@ bool MakesOneTower(const Path& plan) {
   for (int block = 0; block < 4; ++block) parts.push_back({block});
   const auto part_of = [&](int block) {
     return std::find_if(parts.begin(), parts.end(),
-                        [&](const std::set<int>& part) { return part.count(block) > 0; });
+                        [&](const std::set<int>& part) { return part.contains(block); });
   };
   for (std::size_t i = 0; i + 1 < plan.size(); ++i) {
     if (plan[i] > 3) continue;

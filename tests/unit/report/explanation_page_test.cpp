@@ -35,7 +35,7 @@ std::string TagDefects(const std::string& page) {
     } else if (match[1] == "/") {
       if (open.empty() || open.back() != match[2]) defects += "closed too early: " + tag + "\n";
       if (!open.empty()) open.pop_back();
-    } else if (kVoid.count(match[2]) == 0) {
+    } else if (!kVoid.contains(match[2])) {
       open.push_back(match[2]);
     }
     at = end == std::string::npos ? end : end + 1;
