@@ -69,7 +69,7 @@ Deliberation::Deliberation(Mind& mind, const TaskView& task, const EpisodeGoal& 
       listener_(listener),
       record_(record),
       what_if_(std::move(what_if)),
-      goal_(goal.Atoms()),
+      goal_(goal.TermsFor(task)),
       rules_(goal.RulesFor(task)),
       attempts_(rules_, options.retries, DisbeliefOf(options)) {}
 

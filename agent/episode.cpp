@@ -36,6 +36,7 @@ Episode::Episode(World& world, Mind* mind, const EpisodeOptions& options, Listen
 EpisodeRecord Episode::Run() {
   Prepare();
   const std::string defect = goal_.Defect(world_.task(), world_.label());
+  if (defect.empty()) record_.goal = goal_.AtomsOf(world_.task());
   if (!defect.empty()) {
     Verdict("refused", "the goal cannot be brought about: " + defect);
     ExplainUnsearched();

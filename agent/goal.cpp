@@ -15,6 +15,20 @@ std::vector<std::string> EpisodeGoal::Atoms() const {
   return atoms;
 }
 
+std::vector<std::string> EpisodeGoal::AtomsOf(const TaskView& task) const {
+  std::vector<std::string> atoms;
+  for (const auto& atom : planner::ResolveGoal(atoms_, task.goals))
+    atoms.push_back(planner::ToString(atom));
+  return atoms;
+}
+
+std::vector<std::string> EpisodeGoal::TermsFor(const TaskView& task) const {
+  std::vector<std::string> terms;
+  for (const auto& term : planner::TermsOf(atoms_, task.goals))
+    terms.push_back(planner::ToString(term));
+  return terms;
+}
+
 std::string EpisodeGoal::Defect(const TaskView& task,
                                 const std::optional<SceneLabel>& label) const {
   if (empty()) return "";
@@ -36,7 +50,7 @@ std::string EpisodeGoal::Defect(const TaskView& task,
 
 planner::TaskRules EpisodeGoal::RulesFor(const TaskView& task) const {
   planner::TaskRules rules = task.rules;
-  planner::SetGoal(atoms_, task.words, &rules);
+  planner::SetGoal(planner::TermsOf(atoms_, task.goals), &rules);
   return rules;
 }
 

@@ -17,8 +17,13 @@ class EpisodeGoal {
   explicit EpisodeGoal(const std::string& text);
 
   bool empty() const { return atoms_.empty(); }
-  /// One atom a string.
+  /// One atom a string, as it was said.
   std::vector<std::string> Atoms() const;
+  /// The same as the task has it: of visited(a,b) one for each. Throws planner::GoalError.
+  std::vector<std::string> AtomsOf(const TaskView& task) const;
+  /// For whoever searches without knowing the task's goals (planner::ToString(GoalTerm)), one an
+  /// atom. Throws planner::GoalError.
+  std::vector<std::string> TermsFor(const TaskView& task) const;
   /// Why the task, or the scene that `label` tells of, cannot have it; empty: nothing is known
   /// against it.
   std::string Defect(const TaskView& task, const std::optional<SceneLabel>& label) const;

@@ -29,7 +29,7 @@ struct MindInfo {
 struct SearchQuestion {
   planner::TaskRules rules;              ///< with plan length and goal of this attempt, prepared
   planner::Path executed;                ///< of the actions carried out those that count
-  std::vector<std::string> goal;         ///< atoms; none: the task's own
+  std::vector<std::string> goal;         ///< planner::GoalTerms as words; none: the task's own
   planner::SearchParameters parameters;  ///< depth: at most what remains of the plan
   Glimpse first;                         ///< of the episode
   Glimpse present;

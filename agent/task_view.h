@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/refusal/scene_kind.h"
+#include "planner/goal_fact.h"
 #include "planner/handovers.h"
 #include "planner/path.h"
 #include "planner/task_rules.h"
@@ -21,6 +22,7 @@ struct TaskView {
   std::vector<std::string> actions;           ///< by index: "grasp(green)"
   std::vector<planner::ActionWords> words;    ///< kind and object of each
   planner::TaskRules rules;                   ///< what may follow what; without a goal
+  std::vector<planner::GoalFact> goals;       ///< what may be asked for; none: nothing
   std::map<std::string, std::string> causes;  ///< of failures, by name; in words for people
   double frames_per_second = 10;              ///< pictures, in simulated time
 

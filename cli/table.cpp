@@ -11,6 +11,7 @@
 #include "cli/commands/replay.h"
 #include "cli/commands/tables.h"
 #include "cli/commands/takes.h"
+#include "cli/commands/tasks.h"
 #include "cli/commands/train.h"
 #include "cli/commands/upkeep.h"
 #include "cli/commands/verify.h"
@@ -44,6 +45,11 @@ std::vector<Command> RunCommands() {
       Row<ScaleOptions>("scale", "more or fewer planner workers while they run"),
       Row<DownOptions>("down", "stop what is up"),
       Row<KeyOptions>("key", "the file of the deployment's key, which a robot needs"),
+      Row<TasksOptions>("tasks", "the tasks that are known, and what each has"),
+      Row<TaskCheckOptions>("task check", "what is wrong or missing in a task file",
+                            "prospect-data", {"task-check"}),
+      Row<TaskLearnOptions>("task learn", "a first task file, from what a robot says on the bus",
+                            "prospect-bus", {"task-learn"}),
       Row<CheckRobotOptions>("check-robot", "try a robot in the simulator's place: it moves",
                              "prospect-bus", {"check-robot"}),
       Row<DoctorOptions>("doctor",

@@ -6,7 +6,7 @@ namespace prospect::model {
 
 /// The tree a ScriptedEngine pretends to have learned.
 struct ScriptedOptions {
-  std::string task = "navigation";
+  std::string task = "scripted";  ///< what it says it was trained for
   int num_actions = 7;
   int offered_actions = 4;      ///< p allows the first so many actions, and not the one just done
   double failing_share = 0.25;  ///< share of imagined actions that fail (done = 0.02)

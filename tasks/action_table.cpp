@@ -39,11 +39,13 @@ std::vector<std::string> WordsOf(const Section& grid, const std::string& key) {
 
 }  // namespace
 
-ActionTable::ActionTable(const std::string& file, const YAML::Node& node) : file_(file) {
+ActionTable::ActionTable(const std::string& file, const YAML::Node& node,
+                         const std::vector<std::string>& objects)
+    : file_(file) {
   if (node.IsSequence()) {
     ReadList(node);
   } else {
-    ReadGrid(node);
+    ReadGrid(node, objects);
   }
   for (const sim::ActionSpec& action : actions_) {
     if (action.object.empty()) continue;
@@ -52,9 +54,10 @@ ActionTable::ActionTable(const std::string& file, const YAML::Node& node) : file
   }
 }
 
-void ActionTable::ReadGrid(const YAML::Node& node) {
+void ActionTable::ReadGrid(const YAML::Node& node, std::vector<std::string> objects) {
   const Section grid(file_, node, "actions", {"kinds", "objects"});
-  const std::vector<std::string> kinds = WordsOf(grid, "kinds"), objects = WordsOf(grid, "objects");
+  const std::vector<std::string> kinds = WordsOf(grid, "kinds"), own = WordsOf(grid, "objects");
+  if (objects.empty()) objects = own;
   RequireCount(file_, node, kinds.size() * objects.size());
   for (const std::string& kind : kinds) {
     for (const std::string& object : objects) Add(node, kind + "(" + object + ")", kind, object);

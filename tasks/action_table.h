@@ -16,7 +16,9 @@ namespace prospect::tasks {
 class ActionTable {
  public:
   /// @param node "actions" of the file: kinds and objects, or a list
-  ActionTable(const std::string& file, const YAML::Node& node);
+  /// @param objects in the place of those beside kinds; empty: as the file has them
+  ActionTable(const std::string& file, const YAML::Node& node,
+              const std::vector<std::string>& objects = {});
 
   const std::vector<sim::ActionSpec>& actions() const { return actions_; }
   const std::vector<std::string>& objects() const { return objects_; }  ///< each once
@@ -32,7 +34,7 @@ class ActionTable {
   std::vector<int> AllMeant(const YAML::Node& words, int after = -1) const;
 
  private:
-  void ReadGrid(const YAML::Node& node);
+  void ReadGrid(const YAML::Node& node, std::vector<std::string> objects);
   void ReadList(const YAML::Node& node);
   void ReadRow(const YAML::Node& node);
   void Add(const YAML::Node& node, const std::string& name, const std::string& kind,

@@ -155,6 +155,16 @@ std::optional<PlanDefect> FindPlanDefect(const sim::TaskSpec& spec,
   return std::nullopt;
 }
 
+std::vector<int> Completing(const sim::TaskSpec& spec) {
+  const std::vector<bool> reached = Reached(spec);
+  std::vector<int> completing;
+  for (const sim::ActionSpec& action : spec.actions) {
+    if (reached[static_cast<std::size_t>(action.index)] && Completes(spec, action.index))
+      completing.push_back(action.index);
+  }
+  return completing;
+}
+
 std::vector<int> NeverReached(const sim::TaskSpec& spec) {
   const std::vector<bool> reached = Reached(spec);
   std::vector<int> never;

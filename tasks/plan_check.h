@@ -20,6 +20,9 @@ struct PlanDefect {
 std::optional<PlanDefect> FindPlanDefect(const sim::TaskSpec& spec,
                                          const std::vector<int>& lengths);
 
+/// Actions after which a plan may be complete. Ascending.
+std::vector<int> Completing(const sim::TaskSpec& spec);
+
 /// Actions that no plan can come to. Ascending.
 std::vector<int> NeverReached(const sim::TaskSpec& spec);
 

@@ -45,11 +45,12 @@ class Reader {
   Reader(const std::string& path, const YAML::Node& node)
       : file_(path), top_(path, node, "", kKeys) {}
 
-  TaskFile Read() {
+  TaskFile Read(const std::vector<std::string>& objects) {
     task_.path = file_;
     ReadName();
     ReadPicture();
-    const ActionTable table(file_, top_.Need("actions", "list them, or give kinds and objects"));
+    const ActionTable table(file_, top_.Need("actions", "list them, or give kinds and objects"),
+                            objects);
     task_.spec.actions = table.actions();
     task_.spec.repeats_allowed = top_.Flag("repeats_allowed", false);
     ReadSuccessors(table);
@@ -255,14 +256,17 @@ std::vector<planner::ActionWords> TaskFile::Words() const {
   return words;
 }
 
-TaskFile ReadTaskFile(const std::string& path) { return ParseTaskFile(TextOf(path), path); }
+TaskFile ReadTaskFile(const std::string& path, const std::vector<std::string>& objects) {
+  return ParseTaskFile(TextOf(path), path, objects);
+}
 
-TaskFile ParseTaskFile(const std::string& text, const std::string& path) {
+TaskFile ParseTaskFile(const std::string& text, const std::string& path,
+                       const std::vector<std::string>& objects) {
   if (text.size() > kLargestFile)
     throw TaskFileError(path + ":1: has " + std::to_string(text.size()) +
                         " bytes: a task file has at most " + std::to_string(kLargestFile));
   try {
-    return Reader(path, YAML::Load(text)).Read();
+    return Reader(path, YAML::Load(text)).Read(objects);
   } catch (const YAML::Exception& error) {
     const int line = error.mark.is_null() ? 1 : error.mark.line + 1;
     throw TaskFileError(path + ":" + std::to_string(line) + ": is no YAML, " + error.msg +

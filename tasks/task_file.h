@@ -51,10 +51,12 @@ struct TaskFile {
   std::vector<planner::ActionWords> Words() const;
 };
 
-/// Reads and checks a file. Throws TaskFileError.
-TaskFile ReadTaskFile(const std::string& path);
+/// Reads and checks a file. @param objects in the place of those that the file gives to its kinds;
+/// empty: its own. Throws TaskFileError.
+TaskFile ReadTaskFile(const std::string& path, const std::vector<std::string>& objects = {});
 
 /// The same of a text. @param path as errors name it
-TaskFile ParseTaskFile(const std::string& text, const std::string& path);
+TaskFile ParseTaskFile(const std::string& text, const std::string& path,
+                       const std::vector<std::string>& objects = {});
 
 }  // namespace prospect::tasks

@@ -22,6 +22,16 @@ void RequireOneUsual(const std::string& folder, const std::vector<TaskFile>& all
     throw TaskFileError("no task file in " + folder + " says 'default: true': let one say so");
 }
 
+// Of the name that the file has.
+TaskFile ReadNamed(const fs::path& path) {
+  TaskFile task = ReadTaskFile(path.string());
+  const std::string& name = task.spec.name;
+  if (name != path.stem())
+    throw TaskFileError(task.path + ": its task is named '" + name + "': name the file " + name +
+                        ".yaml");
+  return task;
+}
+
 }  // namespace
 
 const std::vector<TaskFile>& TaskFolder::All() const {
@@ -30,24 +40,39 @@ const std::vector<TaskFile>& TaskFolder::All() const {
   std::vector<TaskFile> all;
   for (const auto& entry : fs::directory_iterator(path_, error)) {
     if (entry.path().extension() != ".yaml") continue;
-    all.push_back(ReadTaskFile(entry.path().string()));
-    if (all.back().spec.name != entry.path().stem())
-      throw TaskFileError(all.back().path + ": its task is named '" + all.back().spec.name +
-                          "': name the file " + all.back().spec.name + ".yaml");
+    try {
+      all.push_back(ReadNamed(entry.path()));
+    } catch (const TaskFileError& bad) {
+      bad_[entry.path().stem()] = bad.what();
+    }
   }
   if (error) throw TaskFileError("no task files in " + path_ + ": is the installation whole?");
   RequireOneUsual(path_, all);
   std::sort(all.begin(), all.end(), [](const TaskFile& a, const TaskFile& b) {
-    return a.usual != b.usual ? a.usual : a.spec.name < b.spec.name;
+    const bool simulated = a.simulator.has_value();
+    return simulated != b.simulator.has_value() ? simulated : a.spec.name < b.spec.name;
   });
   all_ = std::move(all);
   return all_;
+}
+
+const std::map<std::string, std::string>& TaskFolder::Bad() const {
+  All();
+  return bad_;
+}
+
+const TaskFile& TaskFolder::Usual() const {
+  const auto usual =
+      std::find_if(All().begin(), All().end(), [](const TaskFile& task) { return task.usual; });
+  return *usual;
 }
 
 const TaskFile* TaskFolder::Find(const std::string& name) const {
   for (const TaskFile& task : All()) {
     if (task.spec.name == name) return &task;
   }
+  const auto bad = bad_.find(name);
+  if (bad != bad_.end()) throw TaskFileError(bad->second);
   return nullptr;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tasks/task_file.h"
@@ -13,13 +15,15 @@ class TaskFolder {
   explicit TaskFolder(std::string path) : path_(std::move(path)) {}
 
   const std::string& path() const { return path_; }
-  /// Of all its files, the usual task first, the others by the alphabet. Read at the first call.
-  /// Throws TaskFileError: the folder is missing, a file is bad or of another name, no task or
-  /// several are the usual one.
+  /// Of all its files, those with a simulator first, each kind by the alphabet. Read at the first
+  /// call; bad ones are left out. Throws TaskFileError: the folder is missing, no task or several
+  /// are the usual one.
   const std::vector<TaskFile>& All() const;
+  /// What is wrong with those that were left out, by the name of the file. Throws as All.
+  const std::map<std::string, std::string>& Bad() const;
   /// The task of commands that name none. Throws as All.
-  const TaskFile& Usual() const { return All().front(); }
-  /// Null: there is none of this name. Throws as All.
+  const TaskFile& Usual() const;
+  /// Null: there is none of this name. Throws as All, and TaskFileError where its file is bad.
   const TaskFile* Find(const std::string& name) const;
   /// The JSON of a file's training settings: its own, or of the task that it names. Throws
   /// TaskFileError where there is no such task.
@@ -28,6 +32,7 @@ class TaskFolder {
  private:
   std::string path_;
   mutable std::vector<TaskFile> all_;
+  mutable std::map<std::string, std::string> bad_;
 };
 
 /// Whether --task NAME|FILE means a file: it has a slash or ends with .yaml or .yml.

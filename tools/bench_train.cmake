@@ -9,5 +9,5 @@ add_library(prospect_train_bench_lib STATIC
   ${CMAKE_CURRENT_SOURCE_DIR}/bench/random_trials.cpp
   ${CMAKE_CURRENT_SOURCE_DIR}/bench/train_bench.cpp)
 prospect_target(prospect_train_bench_lib)
-target_link_libraries(prospect_train_bench_lib PUBLIC prospect_training prospect_local_episode PRIVATE prospect_cli)
+target_link_libraries(prospect_train_bench_lib PUBLIC prospect_training prospect_local_episode PRIVATE prospect_task_training)
 prospect_precompiled(prospect_train_bench_lib prospect_training)

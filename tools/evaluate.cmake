@@ -13,7 +13,7 @@ set(evaluate ${CMAKE_CURRENT_SOURCE_DIR}/evaluate)
 add_library(prospect_local_episode STATIC ${evaluate}/decider.cpp ${evaluate}/engine_model.cpp ${evaluate}/episode.cpp
   ${evaluate}/local_mind.cpp ${evaluate}/search_deciders.cpp ${evaluate}/simulated_world.cpp ${evaluate}/simulator_model.cpp)
 prospect_target(prospect_local_episode)
-target_link_libraries(prospect_local_episode PUBLIC prospect_agent prospect_sim prospect_model prospect_crew_search)
+target_link_libraries(prospect_local_episode PUBLIC prospect_agent prospect_cli prospect_sim prospect_model prospect_crew_search)
 
 if(NOT TARGET prospect_film)
   return()

@@ -77,7 +77,7 @@ struct BenchPicksOptions {
 
 /// How fast training's stages run here, against the machine's matrix products.
 struct BenchTrainOptions {
-  std::string task = kDefaultTask;    ///< its default configuration
+  std::string task = DefaultTask();   ///< its default configuration
   std::string device = "cpu";         ///< or "cuda"
   std::string precision = "float32";  ///< or "mixed"
   int threads = 2;
@@ -87,7 +87,7 @@ struct BenchTrainOptions {
 
 /// How fast the engine answers on one core, beside libtorch's.
 struct BenchEngineOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;                        ///< as WeightsFile()
   std::vector<int> batches = {1, 4, 16, 64};  ///< rows a question
   int pairs = 7;     ///< measurements of each, taken in turns; medians are told

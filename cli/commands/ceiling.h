@@ -12,7 +12,7 @@ namespace prospect::cli {
 
 /// Task, scenes and first seed as the data set was made with.
 struct CeilingOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   TrialSceneOptions scenes;
   int trials = 500;        ///< of the test part
   int runs = 10;           ///< repetitions from each moment, in each of three ways

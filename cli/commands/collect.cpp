@@ -58,8 +58,8 @@ void Define(CLI::App& app, CollectOptions& options) {
 }
 
 std::string Defect(const CollectOptions& options) {
-  if (options.format == "jigsaws" && options.task != "suturing")
-    return "--format jigsaws is for --task suturing";
+  if (options.format == "jigsaws" && !TaskOf(options.task).only_predicted)
+    return "--format jigsaws is for tasks that are only predicted, such as --task suturing";
   return "";
 }
 

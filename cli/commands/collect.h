@@ -13,7 +13,7 @@ namespace prospect::cli {
 
 /// What `prospect collect` is asked for.
 struct CollectOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string format = "hdf5";  ///< or "jigsaws": videos and transcriptions in JIGSAWS' layout
   std::optional<int> trials;    ///< left out: 100; jigsaws: 39, as JIGSAWS has
   std::uint64_t seed = 0;       ///< trial i has seed + i; all must lie in 0..999,999

@@ -1,5 +1,6 @@
 #include "cli/commands/deployment.h"
 
+#include "base/text.h"
 #include "cli/installation.h"
 #include "cli/values.h"
 
@@ -8,6 +9,18 @@ namespace {
 
 bool HasSize(const SceneOptions& scene) {
   return scene.objects > 0 || scene.legs > 0 || scene.tower > 0;
+}
+
+std::vector<std::string> Predicted() {
+  std::vector<std::string> names = TaskNames(Tasks::kAll);
+  std::erase_if(names, [](const std::string& name) { return !TaskOf(name).only_predicted; });
+  return names;
+}
+
+std::string RobotAdvice(const std::string& task) {
+  return TaskOf(task).spec.name +
+         " has no built-in simulator: " + Typed("up --no-simulator --task ") + task +
+         ", and a robot takes its place";
 }
 
 // The first that says something.
@@ -30,9 +43,11 @@ void Define(CLI::App& app, DemoOptions& options) {
 
 std::string Defect(const DemoOptions& options) {
   const std::string& task = options.episode.task;
-  if (task == "knot_tying" || task == "needle_passing")
-    return "only suturing has a simulated scene: for a video of " + task + ", " +
-           Typed("up --task ") + task + " --video FILE, then " + Typed("predict");
+  const tasks::TaskFile& file = TaskOf(task);
+  if (!file.simulator && file.only_predicted)
+    return file.spec.name + " has no simulated scene: for a video of it, " + Typed("up --task ") +
+           task + " --video FILE, then " + Typed("predict");
+  if (!file.simulator) return RobotAdvice(task);
   return First(EpisodeDefect(options.episode), StartDefect(options.start, task));
 }
 
@@ -61,7 +76,7 @@ void Define(CLI::App& app, UpOptions& options) {
       ->default_str("2; none where gestures are only predicted");
   DefineStart(app, options.start);
   app.add_option("--video", options.video,
-                 "play it in the simulator's place: suturing, knot_tying or needle_passing")
+                 "play it in the simulator's place, of a task that is only predicted")
       ->type_name("FILE");
   app.add_option("--transcription", options.transcription, "its gestures, as in JIGSAWS")
       ->type_name("FILE")
@@ -73,11 +88,13 @@ void Define(CLI::App& app, UpOptions& options) {
 }
 
 std::string Defect(const UpOptions& options) {
-  const bool planned = options.task == "stacking" || options.task == "navigation";
-  if (planned && !options.video.empty())
-    return "--video is for suturing, knot_tying and needle_passing";
-  if (!planned && options.task != "suturing" && options.video.empty())
-    return "only suturing has a simulated scene: give --video FILE for " + options.task;
+  const tasks::TaskFile& task = TaskOf(options.task);
+  if (!task.only_predicted && !options.video.empty())
+    return "--video is for tasks that are only predicted, such as " + base::Joined(Predicted());
+  if (task.only_predicted && !task.simulator && options.video.empty())
+    return task.spec.name + " has no simulated scene: give --video FILE";
+  if (!task.only_predicted && !task.simulator && options.simulator)
+    return RobotAdvice(options.task);
   return First(SceneDefect(options.scene, options.task), StartDefect(options.start, options.task));
 }
 

@@ -10,7 +10,7 @@
 namespace prospect::cli {
 
 struct DemoOptions {
-  DemoOptions() { episode.task = kDefaultTask; }
+  DemoOptions() { episode.task = DefaultTask(); }
   EpisodeOptions episode;
   ActingOptions acting;
   StartOptions start;
@@ -29,7 +29,7 @@ std::string Defect(const ExplainOptions& options);
 
 struct UpOptions {
   BusOptions bus;
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   SceneOptions scene;
   int workers = -1;  ///< -1: two, or none where nothing is planned
   StartOptions start;

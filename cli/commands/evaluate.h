@@ -20,7 +20,7 @@ namespace prospect::cli {
 
 /// Closed loops beside the oracle's verdict and plain baselines.
 struct EvaluateOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;  ///< as WeightsFile()
   int scenes = 100;     ///< in seed order; unused where solvable or hopeless is set
   int solvable = 0;     ///< instead: the first so many solvable scenes
@@ -43,7 +43,7 @@ struct EvaluateOptions {
 
 /// Which plans work: all plans of unseen scenes, scored, and each carried out many times.
 struct EvaluatePlansOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;
   int scenes = 20;
   std::uint64_t seed = kFirstReportedSeed;
@@ -57,7 +57,7 @@ struct EvaluatePlansOptions {
 
 /// Open loop with pictures unlike those of trials.
 struct EvaluateShiftsOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;
   std::vector<std::string> factors = ShiftFactors();
   int scenes = 100;  ///< of each point: all, in seed order
@@ -73,7 +73,7 @@ struct EvaluateShiftsOptions {
 
 /// Finds the refusal threshold on scenes kept for it, and stores it in the weights.
 struct CalibrateOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;
   int scenes = 100;                            ///< a calibration keeps at most 10000
   std::uint64_t seed = kFirstCalibrationSeed;  ///< first scene
@@ -87,7 +87,7 @@ struct CalibrateOptions {
 
 /// Stores in the weights what the first pictures of known scenes look like to them.
 struct NoveltyOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;
   int scenes = 5000;  ///< three fifths for the axes, the rest for the ranks
   std::uint64_t seed = kFirstCalibrationSeed;  ///< first scene

@@ -11,7 +11,7 @@ namespace prospect::cli {
 
 /// Figures of what the networks keep, imagine and judge, on held-out trials.
 struct FiguresOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string weights;            ///< file or its folder; empty: the bundled ones
   std::string data;               ///< of which only test trials are read; empty: the bundled trials
   std::string out;                ///< folder for the pictures and captions.md

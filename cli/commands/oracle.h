@@ -11,7 +11,7 @@
 namespace prospect::cli {
 
 struct OracleOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   int scenes = 100;
   std::uint64_t seed = 1'000'000;  ///< of the first scene; scene i has seed + i
   SceneOptions scene;

@@ -10,7 +10,7 @@ namespace prospect::cli {
 
 /// Pictures and labels after one and two actions: a table of trained variants.
 struct TablesOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string data;         ///< made by collect (HDF5)
   std::string models;       ///< folder with VARIANT/TASK.safetensors; empty: none
   std::string weights;      ///< a file as one more row; empty: none

@@ -12,7 +12,7 @@
 namespace prospect::cli {
 
 struct TakesOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::uint64_t seed = kFirstReportedSeed;  ///< first scene
   int scenes = 20;                          ///< a random trial each
   SceneOptions scene;

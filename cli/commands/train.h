@@ -12,7 +12,7 @@ namespace prospect::cli {
 
 /// Trains the networks of a task from a data set (docs/training.md).
 struct TrainOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::string data;                  ///< made by collect (HDF5)
   std::string out;                   ///< folder for checkpoints, caches, weights and curves.csv
   std::int64_t iterations = 0;       ///< of T, the other stages in proportion; 0: the task's own

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cli/installation.h"
+#include "cli/options/task.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -74,6 +75,10 @@ void Define(CLI::App& app, StatusOptions& options) {
 }
 
 void Define(CLI::App& app, CheckRobotOptions& options) {
+  DefineTask(app, options.task, Tasks::kAll);
+  app.get_option("--task")->description(
+      "compare TASK with this task's file, and carry a plan's actions out, to see whether some "
+      "succeed and some fail");
   DefineReport(app, options.report);
   DefineProcess(app, options.bus);
 }

@@ -49,6 +49,7 @@ void Define(CLI::App& app, StatusOptions& options);
 
 struct CheckRobotOptions {
   BusOptions bus;
+  std::string task;  ///< NAME|FILE that it is to agree with; empty: none
   ReportOptions report;
 };
 void Define(CLI::App& app, CheckRobotOptions& options);

@@ -14,7 +14,7 @@ namespace prospect::cli {
 
 /// A picture of a task's scene, at any size and from any of its cameras, for people.
 struct ViewOptions {
-  std::string task = kDefaultTask;
+  std::string task = DefaultTask();
   std::uint64_t seed = kFirstReportedSeed;  ///< the scene
   SceneOptions scene;
   std::string episode;           ///< result.json, which decides task, seed and actions; empty: none

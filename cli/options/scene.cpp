@@ -1,5 +1,9 @@
 #include "cli/options/scene.h"
 
+#include <vector>
+
+#include "base/text.h"
+#include "cli/options/task.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -30,16 +34,28 @@ void DefineScene(CLI::App& app, SceneOptions& scene) {
   DefineSceneFile(app, scene);
 }
 
+std::map<std::string, int> GivenSizes(const SceneOptions& scene) {
+  std::map<std::string, int> given{
+      {"objects", scene.objects}, {"legs", scene.legs}, {"tower", scene.tower}};
+  std::erase_if(given, [](const auto& size) { return size.second <= 0; });
+  return given;
+}
+
 std::string SceneDefect(const SceneOptions& scene, const std::string& task) {
-  const bool navigation = scene.objects > 0 || scene.legs > 0;
-  if (task == "stacking" && navigation)
-    return "--objects and --legs are navigation's; stacking takes --tower";
-  if (task == "navigation" && scene.tower > 0)
-    return "--tower is stacking's; navigation takes --objects and --legs";
-  if (task != "stacking" && !scene.scene_file.empty()) return "--scene-file is stacking's";
-  if (task != "stacking" && task != "navigation" && (navigation || scene.tower > 0))
-    return "--objects, --legs and --tower are not for " + task;
-  return "";
+  const tasks::TaskFile& file = TaskOf(task);
+  const tasks::Simulator world = file.simulator.value_or(tasks::Simulator{});
+  std::vector<std::string> own, foreign;
+  for (const auto& [name, usual] : world.scene) own.push_back("--" + name);
+  if (world.scene_file) own.push_back("--scene-file");
+  for (const auto& [name, value] : GivenSizes(scene)) {
+    if (!world.scene.count(name)) foreign.push_back("--" + name);
+  }
+  if (!scene.scene_file.empty() && !world.scene_file) foreign.push_back("--scene-file");
+  if (foreign.empty()) return "";
+  const std::string takes =
+      own.empty() ? ", whose scenes have no such options" : ", which takes " + base::Joined(own);
+  return base::Joined(foreign, " and ") + (foreign.size() == 1 ? " is" : " are") + " not for " +
+         file.spec.name + takes;
 }
 
 }  // namespace prospect::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "cli/fwd.h"
@@ -24,7 +25,10 @@ void DefineSceneFile(CLI::App& app, SceneOptions& scene);
 /// Adds all four.
 void DefineScene(CLI::App& app, SceneOptions& scene);
 
-/// Options that are not this task's; empty: none is.
+/// The options of a scene's size that were given, by name ("tower").
+std::map<std::string, int> GivenSizes(const SceneOptions& scene);
+
+/// Options that are not this task's (NAME|FILE); empty: none is. Throws tasks::TaskFileError.
 std::string SceneDefect(const SceneOptions& scene, const std::string& task);
 
 }  // namespace prospect::cli

@@ -1,5 +1,6 @@
 #include "cli/options/start.h"
 
+#include "cli/options/task.h"
 #include "cli/options/weights.h"
 
 namespace prospect::cli {
@@ -24,8 +25,9 @@ void DefineStart(CLI::App& app, StartOptions& options) {
 }
 
 std::string StartDefect(const StartOptions& options, const std::string& task) {
-  const bool may = task == "stacking" || task == "navigation";
-  return may || options.shift.factor.empty() ? "" : "--factor is for stacking and navigation";
+  const auto& simulator = TaskOf(task).simulator;
+  if (options.shift.factor.empty() || (simulator && simulator->shifts)) return "";
+  return "--factor is not for " + TaskOf(task).spec.name;
 }
 
 }  // namespace prospect::cli

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/installation.h"
+#include "cli/options/task.h"
 
 namespace prospect::cli {
 
@@ -15,7 +16,7 @@ void DefineWeightsFile(CLI::App& app, std::string& weights) {
 }
 
 std::string WeightsFile(const std::string& given, const std::string& task) {
-  const std::string file = "/" + task + ".safetensors";
+  const std::string file = "/" + TaskOf(task).spec.name + ".safetensors";
   if (given.empty()) return DataFolder("model/weights") + file;
   std::error_code none;
   return std::filesystem::is_directory(given, none) ? given + file : given;

@@ -10,7 +10,7 @@ namespace prospect::cli {
 void DefineWeightsFile(CLI::App& app, std::string& weights);
 
 /// The file that was meant: `given` itself, TASK.safetensors in it if it is a folder, or the
-/// bundled weights of the task if it is empty.
+/// bundled weights of the task if it is empty. @param task NAME|FILE, as of --task
 std::string WeightsFile(const std::string& given, const std::string& task);
 
 }  // namespace prospect::cli

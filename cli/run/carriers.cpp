@@ -36,6 +36,8 @@ const std::map<std::string, Carrier>& Carriers() {
       {"scale", Carried<ScaleOptions>()},
       {"down", Carried<DownOptions>()},
       {"key", Carried<KeyOptions>()},
+      {"tasks", CarriedAlone<TasksOptions>()},
+      {"task learn", Carried<TaskLearnOptions>()},
       {"check-robot", Carried<CheckRobotOptions>()},
       {"doctor", CarriedAlone<DoctorOptions>()},
       {"status", Carried<StatusOptions>()},

@@ -2,6 +2,7 @@
 
 #include "cli/commands/bench.h"
 #include "cli/commands/deployment.h"
+#include "cli/commands/tasks.h"
 #include "cli/commands/upkeep.h"
 #include "cli/run/invocation.h"
 
@@ -45,6 +46,10 @@ int Run(const SpyOptions& options, const Invocation& invocation);
 Words ProgramsOf(const BenchSearchOptions& options);
 int Run(const BenchSearchOptions& options, const Invocation& invocation);
 
+Words ProgramsOf(const TaskLearnOptions& options);
+int Run(const TaskLearnOptions& options, const Invocation& invocation);
+
+int Run(const TasksOptions& options);
 int Run(const RecordOptions& options);
 int Run(const DoctorOptions& options);
 

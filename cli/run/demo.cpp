@@ -9,6 +9,7 @@
 #include "base/child_process.h"
 #include "base/exit_error.h"
 #include "cli/installation.h"
+#include "cli/options/task.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
 #include "cli/run/own_deployment.h"
@@ -103,7 +104,8 @@ void TellResults(const DemoOptions& options, const std::string& out, int status,
       out,
       {"futures.png", "explain.html", "plan.png", "episode.mp4", "episode.lcmlog", "result.json"},
       start);
-  if (options.episode.task != "stacking" || status == kExitRefusal) return;
+  const auto& world = TaskOf(options.episode.task).simulator;
+  if (!world || !world->scene_file || status == kExitRefusal) return;
   if (!IsNew(out + "/episode.mp4", start)) return;
   // The robot's camera is small; people see an arm better at another size and from the side.
   const std::string& scene = options.episode.scene.scene_file;
@@ -118,14 +120,15 @@ void TellResults(const DemoOptions& options, const std::string& out, int status,
 
 Words ProgramsOf(const DemoOptions& options) {
   Words programs = DeployedPrograms();
-  if (options.episode.task == "suturing") programs.push_back(FindCommand("predict")->program);
+  if (TaskOf(options.episode.task).only_predicted)
+    programs.push_back(FindCommand("predict")->program);
   return programs;
 }
 
 int Run(const DemoOptions& options, const Invocation& invocation) {
   const std::time_t start = std::time(nullptr);
   const EpisodeOptions& episode = options.episode;
-  const bool gestures = episode.task == "suturing";
+  const bool gestures = TaskOf(episode.task).only_predicted;
   const bool searches = options.acting.policy == "search";
   const std::string out =
       episode.out.empty() ? UsualFolder(episode.task, episode.seed) : episode.out;

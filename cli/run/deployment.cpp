@@ -67,7 +67,8 @@ std::optional<UpFacts> Deployment::Join(const Words& wishes) const {
   setenv("PROSPECT_DEPLOYMENT", facts["deployment"].c_str(), 1);
   unsetenv("PROSPECT_KEY_FILE");
   if (!facts["key"].empty()) setenv("PROSPECT_KEY_FILE", facts["key"].c_str(), 1);
-  return UpFacts{facts["key"], facts["task"], facts["logs"], std::atoi(facts["workers"].c_str())};
+  return UpFacts{facts["key"], facts["task"], facts["task_file"], facts["logs"],
+                 std::atoi(facts["workers"].c_str())};
 }
 
 UpFacts Deployment::Require() const {

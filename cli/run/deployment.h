@@ -9,10 +9,14 @@ namespace prospect::cli {
 
 /// What a deployment says of itself that is up.
 struct UpFacts {
-  std::string key;  ///< file; empty: an open bus
-  std::string task;
-  std::string logs;  ///< folder
+  std::string key;        ///< file; empty: an open bus
+  std::string task;       ///< its name
+  std::string task_file;  ///< whole path; empty: an installed one
+  std::string logs;       ///< folder
   int workers = 0;
+
+  /// As --task takes it.
+  const std::string& task_wish() const { return task_file.empty() ? task : task_file; }
 };
 
 /// The processes that one `up` started on one bus. prospect-supervisor starts them, keeps them and

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/commands/executive.h"
+#include "cli/options/task.h"
 #include "cli/run/processes.h"
 
 namespace prospect::cli {
@@ -37,7 +38,7 @@ int RunExecutive(const Invocation& invocation, const ExecutiveCall& call) {
 }
 
 std::string UsualFolder(const std::string& task, std::int64_t seed) {
-  return "out/" + task + "-" + std::to_string(seed);
+  return "out/" + TaskOf(task).spec.name + "-" + std::to_string(seed);
 }
 
 }  // namespace prospect::cli

@@ -5,6 +5,7 @@
 
 #include "base/exit_error.h"
 #include "cli/installation.h"
+#include "cli/options/task.h"
 #include "cli/run/bus_place.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
@@ -29,11 +30,13 @@ void RefuseStartOptions(const CLI::App& app) {
 int ExplainWhatIsUp(const ExplainOptions& options, const Invocation& invocation, const UpFacts& up,
                     ExecutiveCall call) {
   RefuseStartOptions(invocation.app);
-  RequireScene(options.episode.scene, up.task);
-  const Words world = WorldArguments(options.episode.scene, up.task);
+  RequireScene(options.episode.scene, up.task_wish());
+  const Words world = WorldArguments(options.episode.scene, up.task_wish());
   RequireRoute(call.bus);
   call.workers = options.episode.workers > 0 ? options.episode.workers : up.workers;
   call.more.insert(call.more.end(), world.begin(), world.end());
+  if (options.episode.task.empty() && !up.task_file.empty())
+    call.more.insert(call.more.end(), {"--task", up.task_file});
   if (invocation.app.count("--seed") == 0 && options.reset) call.more.push_back("--no-reset");
   return RunExecutive(invocation, call);
 }
@@ -51,8 +54,13 @@ int ExplainWhatIsHeard(const ExplainOptions& options, const Invocation& invocati
 
 int ExplainAlone(const ExplainOptions& options, const Invocation& invocation, ExecutiveCall call) {
   const EpisodeOptions& episode = options.episode;
-  const std::string task = episode.task.empty() ? kDefaultTask : episode.task;
+  const std::string task = episode.task.empty() ? DefaultTask() : episode.task;
   RequireScene(episode.scene, task);
+  if (!TaskOf(task).simulator)
+    throw ExitError(kExitServiceLost,
+                    "nothing is up, and " + TaskOf(task).spec.name +
+                        " has no built-in simulator: " + Typed("up --no-simulator --task ") + task +
+                        ", and a robot in its place");
   const Starting starting = StartingOf(episode, options.start, task, /*searches=*/true);
   const Words world = WorldArguments(episode.scene, task);
   OwnDeployment own(episode.bus.bus);

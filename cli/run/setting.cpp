@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "base/child_process.h"
 #include "base/exit_error.h"
 #include "cli/installation.h"
+#include "cli/options/task.h"
 #include "cli/options/weights.h"
 #include "cli/run/processes.h"
 
@@ -29,7 +31,7 @@ std::string SceneFile(const SceneOptions& scene) {
 }
 
 Words CheckCommand(const SceneOptions& scene, const std::string& task) {
-  Words words{PathOf("prospect-simulator"), "--task", task, "--check"};
+  Words words{PathOf("prospect-simulator"), "--task", TaskOf(task).spec.name, "--check"};
   const Words more = SceneArguments(scene, {}, task);
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -41,7 +43,8 @@ std::string WeightsThere(const std::string& wish, const std::string& task) {
   if (wish == "scripted") return wish;
   const std::string file = WeightsFile(wish, task);
   if (access(file.c_str(), R_OK) == 0) return file;
-  throw ExitError(kExitWeights, "no weights at " + file + ": " + Typed("train") + " makes them");
+  throw ExitError(kExitWeights,
+                  "no weights at " + file + ": " + Typed("train --task ") + task + " makes them");
 }
 
 Words SceneArguments(const SceneOptions& scene, const StartOptions& start,
@@ -50,11 +53,10 @@ Words SceneArguments(const SceneOptions& scene, const StartOptions& start,
   const auto add = [&words](const std::string& name, int value) {
     if (value > 0) words.insert(words.end(), {name, std::to_string(value)});
   };
-  if (task == "navigation") {
-    add("--objects", scene.objects > 0 ? scene.objects : 4);
-    add("--legs", scene.legs > 0 ? scene.legs : 3);
-  }
-  if (task == "stacking") add("--tower", scene.tower > 0 ? scene.tower : 2);
+  std::map<std::string, int> sizes = GivenSizes(scene);
+  if (const auto& simulator = TaskOf(task).simulator)
+    sizes.insert(simulator->scene.begin(), simulator->scene.end());
+  for (const auto& [name, value] : sizes) add("--" + name, value);
   if (!scene.scene_file.empty()) words.insert(words.end(), {"--scene-file", SceneFile(scene)});
   if (!start.shift.factor.empty()) words.insert(words.end(), {"--factor", start.shift.factor});
   add("--strength", start.shift.strength);

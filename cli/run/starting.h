@@ -13,7 +13,8 @@ inline constexpr int kUsualWorkers = 2;
 
 /// What a deployment is started with.
 struct Starting {
-  std::string task;
+  std::string task;       ///< its name
+  std::string task_file;  ///< by its whole path, where it is a file of one's own; else empty
   int workers = kUsualWorkers;
   std::string weights;  ///< file
   Words scene;          ///< arguments of the simulator, or of the player

@@ -6,6 +6,7 @@
 
 #include "base/exit_error.h"
 #include "cli/installation.h"
+#include "cli/options/task.h"
 #include "cli/run/bus_place.h"
 #include "cli/run/carriers.h"
 #include "cli/run/executive.h"
@@ -106,9 +107,13 @@ int Run(const RunOptions& options, const Invocation& invocation) {
   const std::string bus = BusOf(episode.bus.bus);
   const auto up = Deployment(bus).Join(WishesOf(episode, options.weights));
   // Services that another machine or user has up are found by what they say.
-  const std::string task = !episode.task.empty() ? episode.task : up ? up->task : kDefaultTask;
+  const std::string task = !episode.task.empty() ? episode.task
+                           : up                  ? up->task_wish()
+                                                 : DefaultTask();
   RequireScene(episode.scene, task);
-  const Words world = WorldArguments(episode.scene, task);
+  Words more = WorldArguments(episode.scene, task);
+  if (episode.task.empty() && up && !up->task_file.empty())
+    more.insert(more.end(), {"--task", up->task_file});
   RequireRoute(bus);
   if (!up) {
     const int heard = RunToEnd({PathOf("prospect-bus"), "heard", "--bus", bus});
@@ -116,7 +121,7 @@ int Run(const RunOptions& options, const Invocation& invocation) {
   }
   const int workers = episode.workers > 0 ? episode.workers : up ? up->workers : kUsualWorkers;
   const std::string out = episode.out.empty() ? UsualFolder(task, episode.seed) : episode.out;
-  const int status = RunExecutive(invocation, {bus, out, workers, world});
+  const int status = RunExecutive(invocation, {bus, out, workers, more});
   if (episode.report.talks())
     TellFiles(out, {"plan.png", "explain.html", "episode.mp4", "result.json", "trials.json"},
               start);

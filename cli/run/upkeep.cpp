@@ -90,6 +90,14 @@ int Run(const CheckRobotOptions& options, const Invocation& invocation) {
   return Become(Joining(BusOf(options.bus.bus), options.bus.key, invocation));
 }
 
+Words ProgramsOf(const TaskLearnOptions&) { return ProgramsToJoin("task learn"); }
+
+int Run(const TaskLearnOptions& options, const Invocation& invocation) {
+  const std::string bus = BusOf(options.bus.bus);
+  RequireRoute(bus);
+  return Become(Joining(bus, options.bus.key, invocation));
+}
+
 Words ProgramsOf(const PredictOptions&) { return ProgramsToJoin("predict"); }
 
 int Run(const PredictOptions& options, const Invocation& invocation) {

@@ -1,6 +1,7 @@
 #include "cli/run/wishes.h"
 
 #include "base/exit_error.h"
+#include "cli/options/task.h"
 
 namespace prospect::cli {
 
@@ -9,7 +10,7 @@ Words WishesOf(const EpisodeOptions& episode, const std::string& weights) {
   const auto add = [&wishes](const char* name, const std::string& value) {
     if (!value.empty()) wishes.insert(wishes.end(), {name, value});
   };
-  add("--task", episode.task);
+  add("--task", episode.task.empty() ? "" : TaskOf(episode.task).spec.name);
   add("--weights", weights);
   if (episode.workers > 0) add("--workers", std::to_string(episode.workers));
   const SceneOptions& scene = episode.scene;

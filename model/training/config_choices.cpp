@@ -6,7 +6,7 @@
 namespace prospect::model {
 
 TrainConfig ConfigOf(const ConfigChoices& choices) {
-  TrainConfig config = TrainConfigFor(choices.task);
+  TrainConfig config = choices.task;
   choices.changes.get_to(config);
   if (choices.paper) LeaveOutAll(&config);
   for (const std::string& step : choices.without) LeaveOut(step, &config);

@@ -11,7 +11,7 @@ namespace prospect::model {
 
 /// What a training run was asked to change of a task's own configuration.
 struct ConfigChoices {
-  std::string task;
+  TrainConfig task;                                   ///< the task's own
   nlohmann::json changes = nlohmann::json::object();  ///< of --config
   bool paper = false;                                 ///< all steps beyond the paper are left out
   std::vector<std::string> without;                   ///< or these

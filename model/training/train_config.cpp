@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "model/jigsaws/gestures.h"
 #include "model/json_fields.h"
 
 namespace prospect::model {
@@ -30,105 +29,7 @@ void ValidateStage(const StageConfig& stage, const std::string& name) {
           name + ".learning_rate: must be above 0, below 1");
 }
 
-TrainConfig Navigation() {
-  TrainConfig c;
-  c.network.num_actions = 7;
-  c.network.dropout = 0.0;
-  c.network.head_dropout = 0.2;  // tens of thousands of scenes: 0.5 underfits
-  // Most of a site stays as it is: T's error against encodings after 20,000 samples was 0.021 with,
-  // 0.031 without.
-  c.network.transform_mask = true;
-  // The site is seen from straight above, and nothing in it prefers a direction.
-  c.augment = "dihedral";
-  c.mids_per_segment = 1;
-  c.hidden_variants = 2;
-  c.focus = 5.0;
-  c.landmark_weight = 2.0;
-  c.classifier = {4000, 8, 1e-3};
-  c.encoder_decoder = {9000, 8, 2e-3};
-  c.transform_hidden = {25000, 8, 2e-3};
-  c.transform_image = {3000, 8, 5e-4};
-  c.heads = {10000, 32, 1e-3};
-  c.linked_steps = 3;  // plans have three to five legs
-  c.repeat_last = false;
-  c.start_share = 0.8;  // the planner always looks between actions
-  c.done_weight = 0.2;
-  return c;
-}
-
-// The paper's two linked steps and one camera; what small networks and few iterations need is as in
-// Navigation().
-TrainConfig Stacking() {
-  TrainConfig c;
-  // Small batches: for as many samples T's error on validation trials was 0.041 with batches of 8,
-  // 0.051 with batches of 32; a rate of 2e-3 instead of 1e-3 gave 0.036 instead of 0.038.
-  c.network.num_actions = 36;
-  // Some hundred thousand pictures, each seen a few times: dropout only slows learning (T's error
-  // after 32,000 samples on validation trials: 0.038 without, 0.041 with the paper's 0.1).
-  c.network.dropout = 0.0;
-  c.network.head_dropout = 0.2;
-  c.mids_per_segment = 2;
-  c.focus = 5.0;
-  c.landmark_weight = 2.0;
-  c.classifier = {20000, 8, 1e-3};
-  c.encoder_decoder = {20000, 8, 2e-3};
-  c.transform_hidden = {40000, 8, 2e-3};
-  c.transform_image = {4000, 8, 5e-4};
-  c.heads = {10000, 8, 1e-3};
-  // Beside landmarks and f. T's errors x1 and x2 on validation trials: 0.0230, 0.0237 with 1;
-  // 0.0223, 0.0231 with 100. C as much beside the pictures as before.
-  c.picture_weight = 100;
-  c.lambda *= c.picture_weight;
-  // A gripper's fingers are 2 to 3 pixels: with 1, f on an imagined grasp that succeeds was 0.6.
-  c.inside_weight = 0.1;
-  c.compose = false;  // x1's error on validation trials: 0.024, composed 0.029; labels 0.91, 0.86
-  c.repeat_last = false;
-  c.done_weight = 0.2;
-  return c;
-}
-
-// The paper's larger network (§III-A: a further stage of 64 channels on each side of T, with its
-// own skip) for the larger pictures of its third domain. Only T's own losses: the paper reads no
-// labels from these pictures.
-TrainConfig Gestures() {
-  TrainConfig c;
-  c.network.image_width = jigsaws::kWidth;
-  c.network.image_height = jigsaws::kHeight;
-  c.network.num_actions = jigsaws::kGestures;
-  c.network.transform_extra_stages = 1;
-  c.network.dropout = 0.0;
-  c.network.transform_dropout = 0.05;
-  c.network.head_dropout = 0.2;
-  c.shards = 1;  // small batches of larger pictures
-  c.mids_per_segment = 4;
-  // Some thirty trials, each with its own camera and colours: without, T's error on training
-  // pictures was 0.024 and on those of other trials 0.037.
-  c.augment = "camera";
-  c.hidden_variants = 4;
-  c.focus = 3.0;
-  c.classifier = {0, 8, 1e-3};
-  c.encoder_decoder = {10000, 2, 2e-3};
-  c.transform_hidden = {25000, 4, 1e-3};
-  c.transform_image = {3000, 4, 3e-4};
-  c.heads = {4000, 8, 1e-3};
-  c.heads_need_failures = true;
-  c.lambda = 0;
-  c.repeat_last = false;
-  // Instruments move over the whole picture: composed ones had a lower SSIM on validation trials.
-  c.compose = false;
-  return c;
-}
-
 }  // namespace
-
-TrainConfig TrainConfigFor(const std::string& task) {
-  if (task == "navigation") return Navigation();
-  if (task == "stacking") return Stacking();
-  if (jigsaws::IsGestureTask(task)) return Gestures();
-  throw std::invalid_argument("task '" + task +
-                              "': no training configuration; known: navigation, stacking, "
-                              "suturing, knot_tying, needle_passing");
-}
 
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
   const std::int64_t now = config->transform_hidden.iterations + config->transform_image.iterations;

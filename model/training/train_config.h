@@ -20,7 +20,7 @@ struct StageConfig {
 ///
 /// The defaults follow the paper and, where it is silent, the authors' code, except for iterations,
 /// batch and learning rate, which fit two CPU cores. Options that go beyond the paper say so here;
-/// TrainConfigFor names those that a task turns on.
+/// task files (docs/task-files.md) name those that a task turns on.
 struct TrainConfig {
   NetworkConfig network;
   std::uint64_t seed = 1;
@@ -106,10 +106,6 @@ struct TrainConfig {
   /// "authors".
   std::string labels = "paper";
 };
-
-/// The configuration a task trains with by default. Throws std::invalid_argument for an unknown
-/// task.
-TrainConfig TrainConfigFor(const std::string& task);
 
 /// Scales the iterations of every stage so that T's (hidden + image) become `transform_iterations`.
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config);

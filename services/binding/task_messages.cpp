@@ -19,14 +19,10 @@ void Append(const std::vector<std::int32_t>& indices, std::string* text) {
   *text += ';';
 }
 
-std::vector<planner::GoalAtom> GoalOf(const search_root_t& root) {
-  std::string text;
-  for (const auto& goal : root.goals) text += goal + ' ';
-  try {
-    return planner::ParseGoal(text);
-  } catch (const std::invalid_argument& error) {
-    throw planner::GoalError(error.what());
-  }
+std::vector<planner::GoalTerm> GoalOf(const search_root_t& root, int num_actions) {
+  std::vector<planner::GoalTerm> terms;
+  for (const auto& goal : root.goals) terms.push_back(planner::ParseTerm(goal, num_actions));
+  return terms;
 }
 
 std::vector<int> Checked(const std::vector<std::int32_t>& indices, int num_actions) {
@@ -80,7 +76,7 @@ planner::TaskRules RulesOfSearch(const task_t& task, const search_root_t& root) 
     rules.plan_length = root.plan_length;
     return rules;
   }
-  planner::SetGoal(GoalOf(root), WordsFromTask(task), &rules);
+  planner::SetGoal(GoalOf(root, rules.num_actions), &rules);
   return planner::RulesFor(std::move(rules), {{}, root.plan_length});
 }
 

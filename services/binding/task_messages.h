@@ -6,6 +6,7 @@
 
 #include "lcmtypes/messages.h"
 #include "planner/goal.h"
+#include "planner/handovers.h"
 #include "planner/path.h"
 #include "planner/task_rules.h"
 
@@ -24,7 +25,7 @@ std::int64_t TaskHash(const task_t& task);
 /// never do.
 planner::TaskRules RulesFromTask(const task_t& task);
 
-/// The table's words, for goals: kind and object of each action.
+/// The table's words: kind and object of each action.
 std::vector<planner::ActionWords> WordsFromTask(const task_t& task);
 
 /// The names of a path's actions: "align(green), grasp(green)".

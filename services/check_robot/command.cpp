@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/exit_codes.h"
+#include "cli/options/task.h"
 #include "cli/report_file.h"
 #include "services/check_robot/robot_check.h"
 #include "services/common/common_options.h"
@@ -17,6 +18,8 @@ const char* Word(RobotFinding::Verdict verdict) {
       return "ok";
     case RobotFinding::Verdict::kFault:
       return "FAULT";
+    case RobotFinding::Verdict::kNote:
+      return "note";
     case RobotFinding::Verdict::kNotTried:
       break;
   }
@@ -28,7 +31,11 @@ void Print(const std::vector<RobotFinding>& findings, std::ptrdiff_t faults) {
     std::printf("%-10s %s%s%s\n", Word(finding.verdict), finding.rule.c_str(),
                 finding.detail.empty() ? "" : ": ", finding.detail.c_str());
   }
-  std::printf("%td of %zu rules broken\n", faults, findings.size());
+  const auto notes = std::count_if(
+      findings.begin(), findings.end(),
+      [](const RobotFinding& finding) { return finding.verdict == RobotFinding::Verdict::kNote; });
+  std::printf("%td of %td rules broken\n", faults,
+              static_cast<std::ptrdiff_t>(findings.size()) - notes);
 }
 
 nlohmann::json ReportOf(const std::vector<RobotFinding>& findings, std::ptrdiff_t faults) {
@@ -45,7 +52,7 @@ nlohmann::json ReportOf(const std::vector<RobotFinding>& findings, std::ptrdiff_
 int RunCheckRobot(const cli::CheckRobotOptions& options) {
   ApplyCommonOptions(CommonOptions(options.bus), "check-robot");
   Bus bus(options.bus.bus);
-  RobotCheck check(bus);
+  RobotCheck check(bus, options.task.empty() ? nullptr : &cli::TaskOf(options.task));
   const std::vector<RobotFinding> findings = check.Run();
   const auto faults = std::count_if(
       findings.begin(), findings.end(),

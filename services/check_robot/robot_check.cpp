@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "base/hash.h"
 #include "base/number_format.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
@@ -35,9 +36,12 @@ std::string TableDefect(const task_t& task) {
 
 }  // namespace
 
-RobotCheck::RobotCheck(Bus& bus) : bus_(bus), monitor_(bus), health_(bus, "executive") {
+RobotCheck::RobotCheck(Bus& bus, const tasks::TaskFile* file)
+    : bus_(bus), file_(file), monitor_(bus), health_(bus, "executive") {
   subscriptions_.push_back(bus_.Subscribe<task_t>([this](const task_t& task) { task_ = task; }));
   subscriptions_.push_back(bus_.Subscribe<observation_t>([this](observation_t picture) {
+    looks_.push_back(base::HashBytes(picture.data.data(), picture.data.size()));
+    delays_.push_back(1e-6 * static_cast<double>(UtimeNow() - picture.utime));
     picture.data.clear();
     episode_id_ = picture.episode_id;
     pictures_.push_back(std::move(picture));
@@ -80,16 +84,23 @@ std::vector<RobotFinding> RobotCheck::Run() {
   health_.SetState(health_t::STATE_READY);
   CheckTask();
   if (!task_) return findings_;
+  CheckAgreement();
   RequireFree();
   CheckStillness();
   CheckRefusals();
   CheckAction();
+  CheckPictures();
   CheckHold();
   CheckCancel();
   CheckSilence();
+  if (file_ != nullptr) CheckOutcomes();
   health_.SetState(health_t::STATE_DRAINING);
   health_.PublishNow();  // so that the robot is free at once
   return findings_;
+}
+
+void RobotCheck::Tell(const std::string& about, const std::string& words) {
+  findings_.push_back({about, RobotFinding::Verdict::kNote, words});
 }
 
 // A holder that died holds for 3 s more.
@@ -231,6 +242,8 @@ void RobotCheck::CheckAction() {
        started || !status_ ? "" : status_->reason);
   if (!started) return;
   pictures_.clear();
+  looks_.clear();
+  delays_.clear();
   const std::int64_t id = last_id_;
   if (Running()) {
     action_command_t second = Command(action_command_t::KIND_START, willing_);

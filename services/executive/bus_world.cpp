@@ -1,5 +1,6 @@
 #include "services/executive/bus_world.h"
 
+#include "services/executive/known_task.h"
 #include "services/executive/preparation.h"
 #include "services/executive/task_view_messages.h"
 
@@ -46,14 +47,15 @@ void BusWorld::Await() {
   RequireWorld(talk_, options_);
   talk_.HoldWorld();
   if (options_.reset || !options_.explain_only) talk_.ClaimRobot();
-  task_ = TaskViewOf(*talk_.view().task());
+  task_ = TaskViewOf(*talk_.view().task(), options_.task);
 }
 
 agent::Glimpse BusWorld::Begin() {
   PrepareScene(talk_, options_);
   const observation_t first = services::Look(talk_, 0);
   talk_.HoldTask();
-  task_ = TaskViewOf(*talk_.view().task());
+  RequireAgreement(options_.task, *talk_.view().task(), talk_.bus().url());
+  task_ = TaskViewOf(*talk_.view().task(), options_.task);
   return GlimpseOf(first);
 }
 

@@ -10,7 +10,7 @@ namespace prospect::services {
 /// What a person may ask of one episode on a bus; the defaults are those of the command line.
 /// `policy`: "search", "plan:0,1,2", "collect" or "expert".
 struct ExecutiveOptions : agent::EpisodeOptions {
-  std::string task;             ///< another on the bus is refused; empty: whatever is there
+  std::string task;             ///< NAME|FILE; another on the bus is refused; empty: what is there
   std::int64_t seed = 2000000;  ///< scene
   int objects = 0;              ///< on the site; 0: as the simulator stands
   int legs = 0;                 ///< actions in a complete plan; 0: as the simulator stands

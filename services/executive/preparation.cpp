@@ -8,6 +8,7 @@
 #include "base/number_format.h"
 #include "cli/installation.h"
 #include "services/common/ids.h"
+#include "services/executive/known_task.h"
 
 namespace prospect::services {
 namespace {
@@ -89,19 +90,21 @@ void RequireJudgement(Conversation& talk, const ExecutiveOptions& options) {
   }
 }
 
-// Before anything moves: a plan for one task must not be tried on another's robot.
-void RequireTask(Conversation& talk, const ExecutiveOptions& options) {
+// Before anything moves: a plan for one task must not be tried on another's robot. Once for each
+// TASK that is heard.
+void RequireTask(Conversation& talk, const ExecutiveOptions& options, std::int64_t* compared) {
   const auto& task = talk.view().task();
-  if (options.task.empty() || !task || task->name == options.task) return;
-  throw ExitError(kExitUsage, "--task " + options.task + ", but " + task->name + " is up on " +
-                                  talk.bus().url() + ": leave the option out, or start another");
+  if (!task || talk.view().task_hash() == *compared) return;
+  RequireAgreement(options.task, *task, talk.bus().url());
+  *compared = talk.view().task_hash();
 }
 
 }  // namespace
 
 void AwaitServices(Conversation& talk, const ExecutiveOptions& options) {
+  std::int64_t compared = 0;
   const auto complete = [&] {
-    RequireTask(talk, options);
+    RequireTask(talk, options, &compared);
     RequireJudgement(talk, options);
     return Missing(talk, options).empty();
   };

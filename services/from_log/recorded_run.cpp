@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "services/binding/spec_messages.h"
 #include "services/from_log/status_labels.h"
-#include "sim/task.h"
 
 namespace prospect::services {
 namespace {
@@ -29,29 +29,9 @@ std::uint64_t RecordedNumber(std::int64_t episode_id) {
   return id <= model::kLastRecordedNumber ? id : base::Mix64(id) % (model::kLastRecordedNumber + 1);
 }
 
-std::vector<int> Widen(const std::vector<std::int32_t>& values) {
-  return {values.begin(), values.end()};
-}
-
 }  // namespace
 
-std::string DataSetTaskHash(const task_t& task) {
-  sim::TaskSpec spec;
-  spec.name = task.name;
-  spec.world_version = task.world_version;
-  for (const action_t& action : task.actions) {
-    spec.actions.push_back({action.index, action.name, action.kind, action.object});
-    spec.successors.push_back(Widen(action.successors));
-  }
-  spec.successors.push_back(Widen(task.initial));
-  spec.plan_length = task.plan_length;
-  spec.image_width = task.image_width;
-  spec.image_height = task.image_height;
-  spec.tick_seconds = task.tick_seconds;
-  spec.action_time_limit = task.action_time_limit;
-  spec.repeats_allowed = task.repeats_allowed != 0;
-  return base::HexText(spec.Hash());
-}
+std::string DataSetTaskHash(const task_t& task) { return base::HexText(SpecFromTask(task).Hash()); }
 
 void RecordedRun::Add(const observation_t& observation) {
   pictures_.emplace(observation.frame, observation);
@@ -103,10 +83,7 @@ void RecordedRun::Describe(std::int64_t end, model::Trial& trial) const {
   trial.light = last.light;
   trial.present.assign(last.present.begin(), last.present.end());
   trial.num_actions = task_->num_actions;
-  for (const action_t& action : task_->actions) {
-    trial.successors.push_back(Widen(action.successors));
-  }
-  trial.successors.push_back(Widen(task_->initial));
+  trial.successors = SpecFromTask(*task_).successors;
   trial.plan_length = task_->plan_length;
   trial.world_version = task_->world_version;
   trial.task_hash = DataSetTaskHash(*task_);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/exit_error.h"
+#include "cli/options/task.h"
 #include "model/caching_engine.h"
 #include "model/recorded_engine.h"
 #include "model/scripted_engine.h"
@@ -25,8 +26,14 @@ Named Split(const std::string& text) {
 }
 
 // "scripted" offers the first four actions of the table; "scripted:N" the first N.
-EnginePtr MakeScripted(const Named& named) {
+EnginePtr MakeScripted(const Named& named, const std::string& wish) {
+  const std::string usual = cli::TaskNames(cli::Tasks::kSimulated).front();
+  const sim::TaskSpec& task = cli::TaskOf(wish.empty() ? usual : wish).spec;
   model::ScriptedOptions options;
+  options.task = task.name;
+  options.num_actions = static_cast<int>(task.actions.size());
+  options.image_width = task.image_width;
+  options.image_height = task.image_height;
   try {
     if (!named.argument.empty()) options.offered_actions = std::stoi(named.argument);
   } catch (const std::exception&) {
@@ -38,7 +45,7 @@ EnginePtr MakeScripted(const Named& named) {
 
 EnginePtr Load(const EngineChoice& choice) {
   const Named named = Split(choice.weights);
-  if (named.name == "scripted") return MakeScripted(named);
+  if (named.name == "scripted") return MakeScripted(named, choice.task);
   if (named.name == ScriptedTreeEngine::kTask) return std::make_unique<ScriptedTreeEngine>();
   try {
     if (named.name == "replay") return std::make_unique<model::ReplayEngine>(named.argument);

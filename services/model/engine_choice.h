@@ -14,10 +14,11 @@ namespace prospect::services {
 /// its modelled cost, its memory, its recording.
 struct EngineChoice {
   /// A safetensors file, or an engine without networks:
-  ///   scripted[:N]    the first N (4) actions of navigation's table are offered
+  ///   scripted[:N]    the first N (4) actions of `task`'s table are offered
   ///   scripted-tree   trees whose best plan is known (services/model/scripted_tree_engine.h)
   ///   replay:FILE     a recording that `record` made
   std::string weights;
+  std::string task;        ///< NAME|FILE, of "scripted"; empty: the first that has a simulator
   int threads = 2;         ///< of the networks
   std::string fixed_cost;  ///< "A,B": a batch takes A ms + B ms a row; empty: as long as it does
   int memory_mb = 0;       ///< answers remembered across searches, by content; 0: none

@@ -37,6 +37,7 @@ void AddOptions(CLI::App& app, Options& options) {
                  "replay:FILE")
       ->envname("PROSPECT_WEIGHTS")
       ->required();
+  app.add_option("--task", options.engine.task, "whose table scripted pretends to know: NAME|FILE");
   app.add_option("--threads", options.engine.threads, "threads of the networks")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

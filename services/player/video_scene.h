@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lcmtypes/messages.h"
+#include "model/jigsaws/gestures.h"
 #include "model/jigsaws/transcription.h"
 
 namespace prospect::report {
@@ -16,10 +17,12 @@ namespace prospect::services {
 
 /// Which video is played, and how.
 struct VideoChoice {
-  std::string task = "suturing";  ///< one of the tasks with gestures (model/jigsaws/gestures.h)
-  std::string video;              ///< a video file that OpenCV reads
-  std::string transcription;      ///< its gestures, as JIGSAWS has them; empty: nobody knows them
-  int every = 3;  ///< one frame in so many is shown, besides the first of each gesture
+  std::string task = model::jigsaws::TaskOfFolder(
+      model::jigsaws::TaskFolders()
+          .front());          ///< one of the tasks with gestures (model/jigsaws/gestures.h)
+  std::string video;          ///< a video file that OpenCV reads
+  std::string transcription;  ///< its gestures, as JIGSAWS has them; empty: nobody knows them
+  int every = 3;              ///< one frame in so many is shown, besides the first of each gesture
 };
 
 /// A video as the bus sees it: pictures of the size that the networks take, and, with a

@@ -12,11 +12,12 @@
 #include "services/common/robot_hold.h"
 #include "services/simulator/command_gate.h"
 #include "services/simulator/scene.h"
+#include "sim/task_factory.h"
 
 namespace prospect::services {
 
 struct SimulatorOptions {
-  std::string task = "navigation";
+  std::string task = sim::TaskNames().front();
   sim::TaskOptions scene;          ///< until a RESET says otherwise
   std::uint64_t seed = 0;          ///< of the first scene
   bool real_time = false;          ///< one tick in tick_seconds of wall clock

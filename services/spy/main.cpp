@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
       Carries("play", "replay", services::RunPlay),
       Carries("rebuild-bus", "rebuild bus", services::RunRebuildBus),
       Carries("rebuild-journal", "rebuild journal", services::RunRebuildJournal),
+      Carries("task-learn", "task learn", services::RunTaskLearn),
       Carries("check-robot", "check-robot", services::RunCheckRobot),
   };
   return RunMain([&] { return cli::RunPart(argc, argv, parts); });

@@ -135,9 +135,9 @@ int Join(const Options& options) {
   const DeploymentFacts facts = FactsOf(state);
   const std::string contradiction = Contradiction(facts, options.wish);
   if (!contradiction.empty()) throw ExitError(kExitUsage, contradiction);
-  std::printf("state=%s\ndeployment=%lld\nkey=%s\ntask=%s\nworkers=%d\nlogs=%s\n",
+  std::printf("state=%s\ndeployment=%lld\nkey=%s\ntask=%s\ntask_file=%s\nworkers=%d\nlogs=%s\n",
               state.path().c_str(), static_cast<long long>(facts.deployment), facts.key.c_str(),
-              facts.task.c_str(), facts.workers, facts.logs.c_str());
+              facts.task.c_str(), facts.task_file.c_str(), facts.workers, facts.logs.c_str());
   return kExitSuccess;
 }
 

@@ -37,6 +37,8 @@ std::string MoveSeeds(const std::string& chaos, int steps) {
 ServiceSpec ModelSpec(const DeploymentSpec& deployment) {
   ServiceSpec spec{"model", Command(deployment, {"prospect-model-server"}, kModelSeed)};
   spec.command.insert(spec.command.end(), {"--weights", deployment.weights});
+  const std::string& task = deployment.task_file.empty() ? deployment.task : deployment.task_file;
+  if (deployment.weights == "scripted") spec.command.insert(spec.command.end(), {"--task", task});
   return spec;
 }
 

@@ -15,7 +15,8 @@ struct ServiceSpec {
 struct DeploymentSpec {
   std::string programs;  ///< folder of the programs
   std::string bus;
-  std::string task;
+  std::string task;       ///< its name
+  std::string task_file;  ///< whole path; empty: an installed one
   std::string weights;
   std::string key;    ///< file, by which PROSPECT_KEY_FILE is set; empty: an open bus
   std::string chaos;  ///< faults for every process, its seed moved on from one to the next

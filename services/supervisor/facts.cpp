@@ -34,6 +34,7 @@ std::optional<DeploymentFacts> ReadFacts(const std::string& services_file) try {
   facts.deployment = file.at("deployment");
   facts.bus = file.at("bus");
   facts.task = file.at("task");
+  facts.task_file = file.at("task_file");
   facts.weights = file.at("weights");
   facts.world = file.at("world");
   facts.key = file.at("key");

@@ -11,7 +11,8 @@ namespace prospect::services {
 struct DeploymentFacts {
   std::int64_t deployment = 0;
   std::string bus;
-  std::string task;
+  std::string task;       ///< its name
+  std::string task_file;  ///< whole path; empty: an installed one
   std::string weights;
   std::string world;  ///< "simulator", "robot" or "video"
   std::string key;    ///< file; empty: the bus is open

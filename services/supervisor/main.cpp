@@ -45,7 +45,9 @@ struct Options {
 
 void AddOptions(CLI::App& app, Options& options) {
   cli::DefineProcess(app, options.common);
-  app.add_option("--task", options.deployment.task, "world to simulate")->required();
+  app.add_option("--task", options.deployment.task, "its name: the world to simulate")->required();
+  app.add_option("--task-file", options.deployment.task_file,
+                 "of a task that is not installed, for whoever joins");
   app.add_option("--weights", options.deployment.weights, "of the model server")->required();
   app.add_option("--workers", options.workers, "planner workers")
       ->check(CLI::Range(0, kMostWorkers))

@@ -207,6 +207,7 @@ void Supervisor::WriteState() const {
   base::WriteJsonFile(state_ + "/services.json", {{"deployment", DeploymentId()},
                                                   {"bus", deployment_.bus},
                                                   {"task", deployment_.task},
+                                                  {"task_file", deployment_.task_file},
                                                   {"weights", deployment_.weights},
                                                   {"world", WorldOf(deployment_)},
                                                   {"key", deployment_.key},

@@ -3,7 +3,7 @@
 
   commands.py ROOT PROSPECT    PROSPECT: the program, bin/prospect; prints a line a fault and ends with 1 if there is one
 
-In blocks of code each command must parse as it stands (--dry-run). In running text `./prospect COMMAND` must have a help, and one
+In blocks of code each command must parse as it stands, typed in ROOT (--dry-run). In running text `./prospect COMMAND` must have a help, and one
 with options must parse, unless it holds a word in capitals, which stands for something.
 """
 import os
@@ -59,8 +59,8 @@ def inline_commands(text):
         yield text.count("\n", 0, found.start()) + 1, arguments if takes_options else arguments + ["--help"]
 
 
-def fault_of(prospect, arguments):
-    said = subprocess.run([prospect, "--dry-run"] + arguments, capture_output=True, text=True, timeout=20)
+def fault_of(root, prospect, arguments):
+    said = subprocess.run([prospect, "--dry-run"] + arguments, cwd=root, capture_output=True, text=True, timeout=20)
     return None if said.returncode == 0 else said.stderr.strip() or f"ended with {said.returncode}"
 
 
@@ -70,7 +70,7 @@ def faults(root, prospect):
         text = without_labelled(read(os.path.join(root, name)))
         for line, arguments in list(block_commands(text)) + list(inline_commands(text)):
             count += 1
-            fault = fault_of(prospect, arguments)
+            fault = fault_of(root, prospect, arguments)
             if fault:
                 yield f"{name}:{line}: ./prospect {' '.join(arguments)}: {fault}"
     if count < 50:

@@ -61,7 +61,7 @@ says 0 'nothing is up' "$prospect" down
 # --- Numbers are decimal, and refused in the first line.
 expect 2 '--seed wants a whole number.*0x10' "$prospect" run --seed 0x10
 expect 2 '--tower wants a whole number from 2 to 4' "$prospect" run --tower 5
-expect 2 '--legs are navigation' "$prospect" run --task stacking --legs 4
+expect 2 '--legs is not for stacking, which takes --tower' "$prospect" run --task stacking --legs 4
 expect 2 '--workers wants a whole number from 1 to 1024' "$prospect" up --workers 00
 expect 2 '--retries wants' "$prospect" run --retries ''
 

@@ -16,7 +16,7 @@ for command in demo up run explain; do
   expect 2 "--tower wants .* 2 to 4, not '5'" "$prospect" "$command" --tower 5
   expect 2 "--objects wants .* 4 to 7, not '9'" "$prospect" "$command" --task navigation --objects 9
   expect 2 "--legs wants .* 3 to 5, not '6'" "$prospect" "$command" --task navigation --legs 6
-  expect 2 "legs are navigation's; stacking takes --tower" "$prospect" "$command" --task stacking --legs 5
+  expect 2 "--legs is not for stacking, which takes --tower" "$prospect" "$command" --task stacking --legs 5
 done
 for command in evaluate "evaluate plans" "evaluate shifts" oracle takes ceiling "view --out x.png" "collect --out x.h5"; do
   expect 2 "--tower wants .* 2 to 4, not '5'" "$prospect" $command --tower 5
@@ -33,7 +33,7 @@ world=$("$bin/prospect-simulator" --task stacking --scene-file own.yaml --check)
 for command in demo up explain; do
   expect 14 "no scene file at 'none.yaml'" "$prospect" "$command" --weights scripted --scene-file none.yaml
   expect 2 "block_height" "$prospect" "$command" --weights scripted --scene-file broken.yaml
-  expect 2 "scene-file is stacking's" "$prospect" "$command" --task navigation --weights scripted --scene-file own.yaml
+  expect 2 "scene-file is not for navigation" "$prospect" "$command" --task navigation --weights scripted --scene-file own.yaml
 done
 
 ends() {  # ends CODE COMMAND...: whatever it says

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""format.py and tidy.py find what is wrong in a tree made for it, and say nothing of what is right."""
+"""format.py, tidy.py and task_names.py find what is wrong in a tree made for it, and say nothing of what is right."""
 import json
 import os
 import subprocess
@@ -46,6 +46,16 @@ class Style(unittest.TestCase):
         code, said = self.run_script("format.py")
         self.assertEqual(code, 1)
         self.assertIn("base/bad.h: clang-format -i would change it", said)
+
+    def test_names_of_tasks(self):
+        self.write("tasks/juggling.yaml", "name: juggling\n")
+        self.write("base/good.cpp", '// "juggling"\nconst char* a = "juggling: balls";\n')
+        self.write("sim/may.cpp", 'const char* b = "juggling";\n')
+        self.assertEqual(self.run_script("task_names.py"), (0, ""))
+        self.write("base/bad.cpp", '/* two\nlines */ const char* c = "\\"";\nbool d = e == "juggling";\n')
+        code, said = self.run_script("task_names.py")
+        self.assertEqual(code, 1)
+        self.assertIn('base/bad.cpp:3: names the task "juggling"', said)
 
     def test_unity_files_and_what_only_gcc_knows(self):
         good = self.write("base/good.cpp", "int* Good() { return nullptr; }\n")

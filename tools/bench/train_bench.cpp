@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cli/options/task.h"
 #include "model/training/context.h"
 #include "model/training/heads_stage.h"
 #include "model/training/picture_stages.h"
@@ -19,6 +20,7 @@
 #include "tools/bench/matrix_peak.h"
 #include "tools/bench/multiply_adds.h"
 #include "tools/bench/random_trials.h"
+#include "tools/common/task_training.h"
 
 namespace prospect::tools {
 namespace {
@@ -29,6 +31,12 @@ namespace fs = std::filesystem;
 constexpr int kTrials = 24;           // batches draw from them with replacement
 constexpr std::int64_t kCounted = 3;  // steps that warm up, and whose multiply-adds are counted
 constexpr std::int64_t kNever = 1'000'000'000;
+
+// With landmarks, where a world knows them.
+sim::TaskSpec SpecOf(const std::string& name) {
+  const tasks::TaskFile& task = cli::TaskOf(name);
+  return task.simulator ? sim::MakeTask(task.spec.name)->spec() : task.spec;
+}
 
 // A folder of this run's own, removed at its end.
 class TemporaryFolder {
@@ -130,7 +138,7 @@ class Bench {
   static void Quiet(std::int64_t /*done*/, std::int64_t /*total*/) {}
 
   model::TrialFile MakeData() const {
-    WriteRandomTrials(sim::MakeTask(options_.task)->spec(), kTrials, folder_ / "trials.h5");
+    WriteRandomTrials(SpecOf(options_.task), kTrials, folder_ / "trials.h5");
     return model::TrialFile(folder_ / "trials.h5");
   }
 
@@ -220,7 +228,7 @@ class Bench {
 
 json BenchTraining(const cli::BenchTrainOptions& options) {
   // Refused before anything is made.
-  model::TrainConfig defaults = model::TrainConfigFor(options.task);
+  model::TrainConfig defaults = TrainConfigOf(cli::TaskOf(options.task));
   defaults.precision = options.precision;
   model::Validate(defaults);
   model::DeviceNamed(options.device);

@@ -2,6 +2,7 @@
 
 #include "cli/commands/collect.h"
 #include "cli/commands/dataset.h"
+#include "cli/commands/tasks.h"
 
 namespace prospect::tools {
 
@@ -14,6 +15,8 @@ int RunCollect(const cli::CollectOptions& options);
 int RunInfo(const cli::DatasetInfoOptions& options);
 int RunPack(const cli::DatasetPackOptions& options);
 int RunSheet(const cli::DatasetSheetOptions& options);
+/// Throws tasks::TaskFileError where the file is bad.
+int RunTaskCheck(const cli::TaskCheckOptions& options);
 int RunJigsaws(const cli::DatasetJigsawsOptions& options);
 
 }  // namespace prospect::tools

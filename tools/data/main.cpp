@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
       Carries("info", "dataset info", tools::RunInfo),
       Carries("pack", "dataset pack", tools::RunPack),
       Carries("sheet", "dataset sheet", tools::RunSheet),
+      Carries("task-check", "task check", tools::RunTaskCheck),
 #ifdef PROSPECT_HAS_LOGS
       Carries("from-log", "dataset from-log", services::RunFromLog),
 #endif

@@ -16,6 +16,7 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/report.h"
 #include "tools/evaluate/scene_bench.h"
+#include "tools/evaluate/simulated_world.h"
 
 namespace prospect::tools {
 namespace {
@@ -49,6 +50,19 @@ std::vector<std::uint64_t> SeedsOf(const ClosedLoop& options) {
   return seeds;
 }
 
+[[noreturn]] void RefuseGoal(const planner::GoalError& error) {
+  throw ExitError(kExitRefusal, std::string("the goal cannot be brought about: ") + error.what());
+}
+
+Goal GoalOf(const std::string& text, const ClosedLoop& loop) {
+  try {
+    return planner::ResolveGoal(planner::ParseGoal(text),
+                                GoalsOf(sim::MakeTask(loop.task, loop.world)->spec()));
+  } catch (const planner::GoalError& error) {
+    RefuseGoal(error);
+  }
+}
+
 }  // namespace
 
 void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* loop) {
@@ -59,7 +73,7 @@ void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* 
   if (search.v_failed) loop->search.v_failed = *search.v_failed;
   loop->retries = search.retries;
   loop->surprise = search.surprise.value_or(model::kSurprising);
-  if (!goal.empty()) loop->goal = planner::ParseGoal(goal);
+  if (!goal.empty()) loop->goal = GoalOf(goal, *loop);
 }
 
 void CheckInputs(const ClosedLoop& loop) {
@@ -68,7 +82,7 @@ void CheckInputs(const ClosedLoop& loop) {
   try {
     RulesOf(sim::MakeTask(loop.task, loop.world)->spec(), loop.goal);
   } catch (const planner::GoalError& error) {
-    throw ExitError(kExitRefusal, std::string("the goal cannot be brought about: ") + error.what());
+    RefuseGoal(error);
   }
   RequireWeightsOf(loop.task, loop.weights);
   RequireFolder(loop.videos);

@@ -36,7 +36,8 @@ struct ClosedLoop {
   std::string videos;  // folder; empty: none
 };
 
-// What a search and the loop around it are asked for. `goal` is parsed.
+// What a search and the loop around it are asked for. `goal` is read as loop->task in loop->world
+// has it. Throws ExitError (kExitRefusal: it cannot be brought about).
 void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* loop);
 
 // Refuses what no process could do, before any starts. Throws std::invalid_argument, ExitError

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/plan_rules.h"
+#include "tools/evaluate/simulated_world.h"
 
 namespace prospect::tools {
 namespace {
@@ -63,9 +64,7 @@ std::unique_ptr<Decider> Plain(std::unique_ptr<LocalMind> mind, const Goal& goal
 
 planner::TaskRules RulesOf(const sim::TaskSpec& spec, const Goal& goal) {
   planner::TaskRules rules = sim::PlanRules(spec);
-  std::vector<planner::ActionWords> words;
-  for (const sim::ActionSpec& action : spec.actions) words.push_back({action.kind, action.object});
-  planner::SetGoal(goal, words, &rules);
+  planner::SetGoal(planner::TermsOf(goal, GoalsOf(spec)), &rules);
   return rules;
 }
 

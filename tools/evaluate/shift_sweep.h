@@ -30,7 +30,7 @@ struct ShiftPoint {
 std::vector<ShiftPoint> ShiftPoints(const std::vector<std::string>& factors);
 
 struct SweepOptions {
-  std::string task = "navigation";
+  std::string task;
   std::string weights;
   sim::TaskOptions world;
   planner::SearchParameters search;  // with the refusal threshold

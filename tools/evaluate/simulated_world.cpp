@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "base/sensor_noise.h"
+#include "cli/options/task.h"
 #include "sim/plan_rules.h"
 #include "sim/rollout.h"
+#include "tasks/agreement.h"
 
 namespace prospect::tools {
 namespace {
@@ -33,9 +35,16 @@ agent::TaskView TaskViewOf(const sim::TaskSpec& spec) {
     view.words.push_back({action.kind, action.object});
   }
   view.rules = sim::PlanRules(spec);
+  view.goals = GoalsOf(spec);
   for (const sim::CauseSpec& cause : spec.causes) view.causes[cause.name] = cause.words;
   if (spec.tick_seconds > 0) view.frames_per_second = 1 / spec.tick_seconds;
   return view;
+}
+
+std::vector<planner::GoalFact> GoalsOf(const sim::TaskSpec& spec) {
+  const tasks::TaskFile* file = cli::InstalledTask(spec.name);
+  if (file == nullptr) return {};
+  return tasks::ForScene(*file, spec).goals;
 }
 
 agent::SceneLabel SceneLabelOf(const sim::Task& task, std::uint64_t scene_seed) {

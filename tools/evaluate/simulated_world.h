@@ -12,6 +12,10 @@ namespace prospect::tools {
 /// A task's table as the agent sees it.
 agent::TaskView TaskViewOf(const sim::TaskSpec& spec);
 
+// What may be asked for of a built-in task, in the scene that is set up; none where no file of its
+// name is installed.
+std::vector<planner::GoalFact> GoalsOf(const sim::TaskSpec& spec);
+
 /// What is there in the scene that `task` shows.
 agent::SceneLabel SceneLabelOf(const sim::Task& task, std::uint64_t scene_seed);
 

@@ -3,6 +3,7 @@
 #include "base/exit_codes.h"
 #include "base/stop_signals.h"
 #include "base/strict_json.h"
+#include "cli/options/task.h"
 #include "cli/report_file.h"
 #include "model/calibration.h"
 #include "model/dataset.h"
@@ -63,7 +64,7 @@ std::vector<Named> SamplesOf(const cli::RefusalsOptions& options) {
   for (const std::string& path : options.weights) samples.push_back(FromWeights(path));
   if (!samples.empty()) return samples;
   std::vector<std::string> tasks = options.tasks;
-  if (tasks.empty()) tasks = {"stacking", "navigation"};
+  if (tasks.empty()) tasks = cli::TaskNames(cli::Tasks::kPlanned);
   for (const std::string& task : tasks) samples.push_back(FromWeights(cli::WeightsFile("", task)));
   return samples;
 }

@@ -18,6 +18,8 @@
 #include "model/training/trainer.h"
 #include "model/training/verdict.h"
 #include "model/weights.h"
+#include "tasks/task_folder.h"
+#include "tools/common/task_training.h"
 #include "tools/train/commands.h"
 
 namespace prospect::tools {
@@ -38,7 +40,7 @@ nlohmann::json ReadChanges(const std::string& path) {
 // The options as the library takes them.
 model::TrainOptions RunOf(const cli::TrainOptions& a) {
   model::TrainOptions run;
-  run.task = a.task;
+  run.task = cli::TaskOf(a.task).spec.name;
   run.data = a.data;
   run.folder = a.out;
   run.variant = a.variant;
@@ -52,7 +54,7 @@ model::TrainOptions RunOf(const cli::TrainOptions& a) {
 
 model::TrainConfig ConfigOf(const cli::TrainOptions& a) {
   model::ConfigChoices choices;
-  choices.task = a.task;
+  choices.task = TrainConfigOf(cli::TaskOf(a.task), a.data);
   if (!a.config.empty()) choices.changes = ReadChanges(a.config);
   choices.paper = a.paper;
   choices.without = a.without;
@@ -217,6 +219,7 @@ int RunTrain(const cli::TrainOptions& options, const std::string& command) {
     std::printf("%s\n", nlohmann::json(config).dump(2).c_str());
     return 0;
   }
+  if (tasks::MeansFile(options.task)) RequireSameTable(cli::TaskOf(options.task), options.data);
   const base::Lock own = base::LockFolder(options.out);
   if (!options.score.empty()) return ScoreOnly(options);
   model::TrainOptions run = RunOf(options);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/quiet.h"
+#include "cli/options/task.h"
 #include "report/people_view.h"
 #include "report/png.h"
 #include "report/video_writer.h"
@@ -37,7 +38,8 @@ Shown ShownBy(const cli::ViewOptions& options) {
   shown.options.seed = episode.seed;
   shown.options.actions = episode.actions;
   shown.world_version = episode.world_version;
-  if (episode.task == "navigation") shown.world.objects = episode.objects;
+  const auto& simulator = cli::TaskOf(episode.task).simulator;
+  if (simulator && simulator->scene.count("objects")) shown.world.objects = episode.objects;
   sim::SetPlanLength(episode.task, episode.plan_length, &shown.world);
   return shown;
 }

@@ -13,6 +13,9 @@ TaskView VisitTask() {
   TaskView task;
   task.words = {{"investigate", "barrel"}, {"investigate", "pylon"}, {"investigate", "rock"}};
   task.rules = planner::AnyOrder(3, 2);
+  task.goals = {{"visited", {"barrel"}, {{-1, 0}}, {}},
+                {"visited", {"pylon"}, {{-1, 1}}, {}},
+                {"visited", {"rock"}, {{-1, 2}}, {}}};
   return task;
 }
 
@@ -29,7 +32,9 @@ TEST(EpisodeGoal, NoneAsksNothing) {
 
 TEST(EpisodeGoal, IsReachedByWhatWasCarriedOut) {
   const EpisodeGoal goal("visited(pylon,barrel)");
-  EXPECT_EQ(goal.Atoms(), (std::vector<std::string>{"visited(pylon)", "visited(barrel)"}));
+  EXPECT_EQ(goal.Atoms(), std::vector<std::string>{"visited(pylon,barrel)"});
+  EXPECT_EQ(goal.AtomsOf(VisitTask()),
+            (std::vector<std::string>{"visited(pylon)", "visited(barrel)"}));
   EXPECT_TRUE(goal.Reached(VisitTask(), {0, 1}));
   EXPECT_TRUE(goal.Reached(VisitTask(), {1, 0}));
   EXPECT_FALSE(goal.Reached(VisitTask(), {1, 2}));

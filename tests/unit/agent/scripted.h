@@ -49,6 +49,7 @@ inline TaskView VisitTask() {
   for (const char* thing : {"barrel", "pylon", "rock", "tree"}) {
     task.actions.push_back("visit(" + std::string(thing) + ")");
     task.words.push_back({"investigate", thing});
+    task.goals.push_back({"visited", {thing}, {{-1, static_cast<int>(task.goals.size())}}, {}});
   }
   task.rules = planner::AnyOrder(4, 3);
   task.causes = {{"time", "it ran out of time"}};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/training/variants.h"
+#include "tests/unit/model/task_config.h"
 
 namespace prospect::model {
 namespace {

@@ -9,6 +9,7 @@
 #include "cli/commands/train.h"
 #include "model/training/config_choices.h"
 #include "model/training/variants.h"
+#include "tests/unit/model/task_config.h"
 
 namespace prospect::model {
 namespace {
@@ -103,11 +104,12 @@ TEST(ConfigChoices, WhicheverMeetEveryNumberIsFiniteAndInRange) {
       R"({"transform_image": {"iterations": 1000000000, "batch": 8, "learning_rate": 0.001}})"};
   int sound = 0;
   for (const char* task : kTasks) {
+    const TrainConfig own = TrainConfigFor(task);
     for (const char* change : changes) {
       for (std::size_t variant = 0; variant <= Variants().size(); ++variant) {
         for (std::size_t step = 0; step <= RecipeSteps().size(); ++step) {
           ConfigChoices choices;
-          choices.task = task;
+          choices.task = own;
           choices.changes = json::parse(change);
           choices.variant = VariantName(variant);
           if (step > 0) choices.without = {RecipeSteps()[step - 1]};
@@ -128,7 +130,7 @@ TEST(ConfigChoices, WhicheverMeetEveryNumberIsFiniteAndInRange) {
 
 TEST(ConfigChoices, WithoutPicturesALossWithoutPicturesKeepsItsWeightOfC) {
   ConfigChoices choices;
-  choices.task = "stacking";
+  choices.task = TrainConfigFor("stacking");
   choices.changes = {{"picture_weight", 0}};
   choices.without = {"pictures"};
   const TrainConfig config = ConfigOf(choices);

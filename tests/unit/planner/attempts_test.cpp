@@ -73,7 +73,7 @@ TEST(BeginAnew, LeavesRoomForAWholePlanAndNothingElse) {
 
 TEST(BeginAnew, ForgetsForTheGoalWhatWasLost) {
   TaskRules rules = PickAndPut(3);
-  SetGoal(ParseGoal("on(red,green)"), PickAndPutWords(), &rules);
+  SetGoal(TermsOf(ParseGoal("on(red,green)"), PickAndPutFacts()), &rules);
   const Attempt anew = BegunAnew(rules, {{0, 4}, 3});
   const TaskRules longer = RulesFor(rules, anew);
   EXPECT_TRUE(longer.Legal(anew.executed, {0, 4, 7}));
@@ -205,7 +205,7 @@ TEST(Attempts, ForgetsASurpriseWithThePartItWasAbout) {
 // Where no other plan is possible, the present one is kept and nothing else is even searched.
 TEST(Attempts, KeepsThePresentPlanWhereNoOtherIsPossible) {
   TaskRules rules = PickAndPut(3);
-  SetGoal(ParseGoal("on(red,blue)"), PickAndPutWords(), &rules);
+  SetGoal(TermsOf(ParseGoal("on(red,blue)"), PickAndPutFacts()), &rules);
   rules.successors[5] = {1, 8};  // whoever has put something on blue cannot pick red again
   rules.Prepare();
   Attempts attempts(rules, 1, {0.3, 1});

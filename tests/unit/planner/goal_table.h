@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/goal.h"
+#include "planner/handovers.h"
 
 namespace prospect::planner {
 
@@ -35,11 +36,40 @@ inline TaskRules PickAndPut(int plan_length) {
   return rules;
 }
 
+// on(A,B) for all that a table hands over (handovers.h), until A is handed on.
+inline std::vector<GoalFact> OnFacts(const std::vector<ActionWords>& words,
+                                     const TaskRules& rules) {
+  const std::vector<Handover> handovers = FindHandovers(words, rules);
+  std::vector<GoalFact> facts;
+  for (const Handover& one : handovers) {
+    const std::string& upper = words[one.giver].object;
+    GoalFact fact{"on", {upper, words[one.taker].object}, {}, {}};
+    for (const Handover& other : handovers) {
+      if (words[other.giver].object != upper) continue;
+      const GoalStep step{static_cast<int>(other.giver), static_cast<int>(other.taker)};
+      const bool same = words[other.taker].object == fact.arguments[1];
+      (same ? fact.brought_by : fact.undone_by).push_back(step);
+    }
+    facts.push_back(fact);
+  }
+  return facts;
+}
+
+inline std::vector<GoalFact> PickAndPutFacts() { return OnFacts(PickAndPutWords(), PickAndPut(3)); }
+
 inline std::vector<ActionWords> VisitWords(int count) {
   std::vector<ActionWords> words;
   for (int i = 0; i < count; ++i)
     words.push_back({"investigate", std::string(1, static_cast<char>('a' + i))});
   return words;
+}
+
+// visited(a), visited(b), ... by actions 0, 1, ...
+inline std::vector<GoalFact> VisitFacts(int count) {
+  std::vector<GoalFact> facts;
+  for (int i = 0; i < count; ++i)
+    facts.push_back({"visited", {std::string(1, static_cast<char>('a' + i))}, {{-1, i}}, {}});
+  return facts;
 }
 
 }  // namespace prospect::planner

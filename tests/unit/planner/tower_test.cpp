@@ -140,12 +140,13 @@ TEST(OneTower, BegunAnewCountsWhatWasFinished) {
 
 TEST(OneTower, GoalsAreBroughtAboutInOneTower) {
   TaskRules rules = Stacking(6);
-  SetGoal(ParseGoal("on(red,blue)"), StackingWords(), &rules);
+  SetGoal(TermsOf(ParseGoal("on(red,blue)"), OnFacts(StackingWords(), rules)), &rules);
   EXPECT_TRUE(rules.Legal({}, {2, 5, 9, 0, 6, 10}));
   EXPECT_TRUE(rules.Legal({}, {0, 6, 10, 2, 5, 9})) << "or blue is lifted together with red";
   EXPECT_FALSE(rules.Legal({}, {1, 7, 11, 0, 6, 10})) << "two towers";
   try {
-    SetGoal(ParseGoal("on(red,blue),on(green,yellow)"), StackingWords(), &rules);
+    SetGoal(TermsOf(ParseGoal("on(red,blue),on(green,yellow)"), OnFacts(StackingWords(), rules)),
+            &rules);
     ADD_FAILURE() << "these are two towers";
   } catch (const GoalError& error) {
     EXPECT_STREQ(error.what(),
@@ -153,7 +154,8 @@ TEST(OneTower, GoalsAreBroughtAboutInOneTower) {
                  "one tower");
   }
   rules = Stacking(9);
-  SetGoal(ParseGoal("on(red,blue),on(green,yellow)"), StackingWords(), &rules);
+  SetGoal(TermsOf(ParseGoal("on(red,blue),on(green,yellow)"), OnFacts(StackingWords(), rules)),
+          &rules);
   EXPECT_TRUE(rules.Legal({}, {1, 7, 11, 2, 5, 9, 0, 6, 10}));
 }
 

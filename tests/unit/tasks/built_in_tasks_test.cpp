@@ -109,5 +109,13 @@ TEST(BuiltInTasks, TheExampleOfTheDocsIsATask) {
   EXPECT_TRUE(NeverReached(task.spec).empty());
 }
 
+TEST(BuiltInTasks, TheExampleRobotsHaveAFileToo) {
+  const TaskFile task = ReadTaskFile(PROSPECT_ROOT "/examples/robots/sorting.yaml");
+  EXPECT_EQ(task.spec.actions.size(), 12u);
+  ASSERT_EQ(task.goals.size(), 12u);  // a block in a bin
+  EXPECT_EQ(task.goals[0], (planner::GoalFact{"in", {"red", "left_bin"}, {{0, 8}}, {}}));
+  EXPECT_EQ(task.goals[1].brought_by, (std::vector<planner::GoalStep>{{0, 9}, {4, 10}}));
+}
+
 }  // namespace
 }  // namespace prospect::tasks

@@ -37,13 +37,15 @@ class TaskFolderTest : public testing::Test {
       fs::path(testing::TempDir()) / ("task_folder_test." + std::to_string(getpid()));
 };
 
-TEST_F(TaskFolderTest, TheUsualTaskComesFirst) {
+TEST_F(TaskFolderTest, TasksWithASimulatorComeFirst) {
   Write("b.yaml", "b", "default: true\n");
   Write("a.yaml", "a", "training: b\n");
+  Write("s.yaml", "s", "simulator: {}\n");
   const TaskFolder folder(folder_);
-  ASSERT_EQ(folder.All().size(), 2u);
-  EXPECT_EQ(folder.Usual().spec.name, "b");
+  ASSERT_EQ(folder.All().size(), 3u);
+  EXPECT_EQ(folder.All()[0].spec.name, "s");
   EXPECT_EQ(folder.All()[1].spec.name, "a");
+  EXPECT_EQ(folder.Usual().spec.name, "b");
   EXPECT_EQ(folder.Find("c"), nullptr);
   EXPECT_EQ(folder.TrainingOf(*folder.Find("a")), "{}");
 }
@@ -52,7 +54,10 @@ TEST_F(TaskFolderTest, SaysWhatIsWrong) {
   EXPECT_NE(Error().find("default: true"), std::string::npos);
   Write("a.yaml", "a", "default: true\n");
   Write("c.yaml", "b");
-  EXPECT_NE(Error().find("name the file b.yaml"), std::string::npos);
+  const TaskFolder folder(folder_);
+  EXPECT_EQ(folder.All().size(), 1u) << "a bad file keeps nobody from the others";
+  EXPECT_NE(folder.Bad().at("c").find("name the file b.yaml"), std::string::npos);
+  EXPECT_THROW(folder.Find("c"), TaskFileError);
   Write("c.yaml", "c", "default: true\n");
   EXPECT_NE(Error().find("leave it in one"), std::string::npos);
   EXPECT_THROW(TaskFolder("/nowhere").All(), TaskFileError);

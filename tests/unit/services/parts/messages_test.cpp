@@ -155,10 +155,10 @@ TEST(TaskMessages, TheGoalOfASearchNarrowsItsRules) {
   EXPECT_EQ(RulesOfSearch(task, RootWith({}, 1)).AllowedActions({}, {}), (std::vector<int>{0}));
   EXPECT_TRUE(RulesOfSearch(task, RootWith({}, 1)).finishes.empty()) << "as the task's own";
   task.initial = {0, 1};
-  EXPECT_EQ(RulesOfSearch(task, RootWith({"visited(pylon)"}, 1)).AllowedActions({}, {}),
+  EXPECT_EQ(RulesOfSearch(task, RootWith({"visited(pylon)=1"}, 1)).AllowedActions({}, {}),
             (std::vector<int>{1}));
   task.plan_length = 2;
-  const auto both = RulesOfSearch(task, RootWith({"visited(pylon)", "visited(barrel)"}));
+  const auto both = RulesOfSearch(task, RootWith({"visited(pylon)=1", "visited(barrel)=0"}));
   EXPECT_EQ(both.AllowedActions({}, {}), (std::vector<int>{0, 1}));
   EXPECT_TRUE(both.GoalMet({1}, {0}));
 }
@@ -182,7 +182,7 @@ TEST(TaskMessages, AGoalHoldsForPlansBegunAnewToo) {
   task.plan_length = 4;
   task.repeats_allowed = 1;
   task.num_actions = 4;
-  const search_root_t root = RootWith({"visited(a3)"}, 5);
+  const search_root_t root = RootWith({"visited(a3)=3"}, 5);
   const auto rules = RulesOfSearch(task, root);
   EXPECT_TRUE(rules.AllowedActions({}, {}).empty()) << "no plan of five begins at the beginning";
   EXPECT_EQ(rules.AllowedActions({1}, {}), (std::vector<int>{0}));
@@ -192,9 +192,9 @@ TEST(TaskMessages, AGoalHoldsForPlansBegunAnewToo) {
 
 TEST(TaskMessages, NonsenseGoalsAreRefused) {
   const task_t task = SmallTask();
-  for (const char* goal : {"", "visited(", "on(a,b)", "visited(nobody)", "\xff\x01", "on(*,*)"})
+  for (const char* goal : {"", "visited(", "on(a,b)", "visited(nobody)=99", "\xff\x01", "on(*,*)="})
     EXPECT_THROW(RulesOfSearch(task, RootWith({goal})), planner::GoalError) << goal;
-  EXPECT_THROW(RulesOfSearch(task, RootWith(std::vector<std::string>(10000, "visited(a)"))),
+  EXPECT_THROW(RulesOfSearch(task, RootWith(std::vector<std::string>(10000, "visited(a)=0"))),
                planner::GoalError);
 }
 
