@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "base/run_main.h"
+#include "model/dataset.h"
 #include "services/common/bus.h"
 #include "services/common/clock.h"
 #include "services/common/health.h"
@@ -184,6 +186,18 @@ class MadeRobot {
   std::vector<Subscription> subscriptions_;
 };
 
+// Of seeds from 0 on, so that every part of the data has some.
+void WriteTrials(const Options& options) {
+  const sim::TaskSpec spec = tasks::ReadTaskFile(options.file).spec;
+  std::vector<std::string> parts;
+  for (int seed = 0; seed < options.trials; ++seed) {
+    parts.push_back(options.out + "." + std::to_string(seed));
+    model::WriteTrialFile(parts.back(), tools::RandomTrial(spec, static_cast<std::uint64_t>(seed)));
+  }
+  model::PackTrialFiles(parts, options.out);
+  for (const std::string& part : parts) std::filesystem::remove(part);
+}
+
 int Run(int argc, char** argv) {
   Options options;
   options.file = argc > 1 ? argv[1] : "";
@@ -196,7 +210,7 @@ int Run(int argc, char** argv) {
       options.trials = std::atoi(argv[i + 1]), options.out = argv[i + 2];
   }
   if (options.trials > 0) {
-    tools::WriteRandomTrials(tasks::ReadTaskFile(options.file).spec, options.trials, options.out);
+    WriteTrials(options);
     return kExitSuccess;
   }
   InstallStopSignals();

@@ -182,7 +182,7 @@ TEST_F(EpisodeTest, AGoalIsJudgedByWhatWasCarriedOut) {
   options_.goal = "visited(tree)";
   Finds({3, 0, 1});
   EXPECT_EQ(Run().outcome, "solved");
-  EXPECT_EQ(mind_.questions.at(0).goal, (std::vector<std::string>{"visited(tree)"}));
+  EXPECT_EQ(mind_.questions.at(0).goal, (std::vector<std::string>{"visited(tree)=3"}));
   EXPECT_EQ(mind_.questions.at(2).rules.AllowedActions({0, 1}, {}), (std::vector<int>{3}));
 }
 
