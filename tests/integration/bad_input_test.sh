@@ -56,7 +56,7 @@ for command in demo up run; do
   expect 2 "unknown task 'juggling'; known: navigation" "$root/prospect" $command --task juggling
   expect 2 '--workers wants a whole number' "$root/prospect" $command --workers many
 done
-for goal in 'on(red' 'on(red' 'red under blue' 'red on blue' ''; do
+for goal in 'on(red' 'on(r*,blue)' 'red under blue' 'red on blue' ''; do
   expect 2 'is no goal.*on\(red,blue\)' prospect-executive --goal "$goal"
   expect 2 'is no goal.*on\(red,blue\)' prospect-evaluate run --task navigation --weights "$good" --goal "$goal"
 done
