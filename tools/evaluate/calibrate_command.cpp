@@ -115,15 +115,28 @@ void Calibrate(const cli::CalibrateOptions& options, const ClosedLoop& loop,
           << " scenes\n";
 }
 
+// Where nothing is asked: the least share of plans that succeed to be refused that so few trials
+// can promise. Of random plans few succeed, and of these some are given up at any threshold.
+model::Promise PromiseFor(const cli::CalibrateOptions& options,
+                          const model::CalibrationSample& sample) {
+  model::Promise promise = PromiseAsked(options);
+  if (options.promise.asked()) return promise;
+  for (const double share : {0.05, 0.1, 0.2, 0.3}) {
+    promise.refuse_at_most = share;
+    if (model::ThresholdFor(sample, promise).kept) break;
+  }
+  return promise;
+}
+
 // Of recorded trials: each holds one plan that was carried out, whatever its score.
 int CalibrateByData(const cli::CalibrateOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
-  const model::Promise promise = PromiseAsked(options);
-  const std::string command = DataCommandOf(options, promise);
   const Recorded recorded = JudgeData(options.data, weights, options.all);
   model::CalibrationSample sample = SampleOf(recorded.judged);
   sample.rule = options.search.rule;
   sample.parameters = RecordedParameters(recorded.judged);
+  const model::Promise promise = PromiseFor(options, sample);
+  const std::string command = DataCommandOf(options, promise);
   std::vector<std::string> sentences;
   const model::Calibration calibration = CalibrationFrom(sample, promise, command, &sentences);
   model::StoreCalibration(weights, calibration);
