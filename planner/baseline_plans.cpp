@@ -119,4 +119,20 @@ Path RandomPlan(const TaskRules& rules, const Path& executed, std::uint64_t seed
   }
 }
 
+Plan PlanOf(const Path& path, const char* reason) {
+  Plan plan;
+  if (path.empty()) {
+    plan.status = PlanStatus::kRefused;
+    plan.reason = reason;
+    return plan;
+  }
+  plan.status = PlanStatus::kPlan;
+  plan.best.path = path;
+  for (const auto action : path) {
+    plan.best.steps.emplace_back();
+    plan.best.steps.back().action = action;
+  }
+  return plan;
+}
+
 }  // namespace prospect::planner

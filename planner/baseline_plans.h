@@ -32,4 +32,8 @@ Path GreedyPlan(const TaskRules& rules, const SearchParameters& parameters, cons
 // Uniform over the allowed actions at each step; the same path for the same seed everywhere.
 Path RandomPlan(const TaskRules& rules, const Path& executed, std::uint64_t seed);
 
+// The plan of whoever judges nothing: it may be carried out. Refused for `reason` where it is
+// empty.
+Plan PlanOf(const Path& path, const char* reason);
+
 }  // namespace prospect::planner

@@ -1,5 +1,8 @@
 #include "cli/commands/evaluate.h"
 
+#include <algorithm>
+
+#include "cli/options/bus.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
@@ -44,9 +47,21 @@ void DefineCalibrationSeed(CLI::App& app, std::uint64_t& seed) {
       ->capture_default_str();
 }
 
+bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string CalibrationSeedDefect(std::uint64_t seed, int scenes) {
   if (seed + static_cast<std::uint64_t>(scenes) <= kFirstReportedSeed) return "";
   return "calibration scenes are 1500000 to 1999999; see --seed and --scenes";
+}
+
+void DefineRecorded(CLI::App& app, std::string& data, bool& all, const std::string& what) {
+  CLI::Option* option = app.add_option("--data", data, what)->type_name("FILE");
+  app.add_flag("--all-trials", all,
+               "take all of its trials, of which none was trained on; else those of the valid and "
+               "test parts")
+      ->needs(option);
 }
 
 void DefineClasses(CLI::App& app, EvaluateOptions& options) {
@@ -152,7 +167,7 @@ std::string Defect(const EvaluateShiftsOptions& options) {
 }
 
 void Define(CLI::App& app, CalibrateOptions& options) {
-  DefineTask(app, options.task, Tasks::kPlanned);
+  DefineTask(app, options.task, Tasks::kAll);
   DefineWeightsFile(app, options.weights);
   DefineScenes(app, options.scenes, "scenes as they come", 1, 10'000);
   DefineCalibrationSeed(app, options.seed);
@@ -160,14 +175,58 @@ void Define(CLI::App& app, CalibrateOptions& options) {
   DefineGoal(app, options.goal);
   DefineSearch(app, options.search);
   DefinePromise(app, options.promise);
+  DefineRecorded(app, options.data, options.all,
+                 "recorded trials instead of scenes: threshold, promises and what known pictures "
+                 "look like come from them");
+  for (const char* name : {"--scenes", "--seed", "--goal"})
+    app.get_option("--data")->excludes(app.get_option(name));
   DefineJobs(app, options.jobs);
   DefineReport(app, options.report);
 }
 
 std::string Defect(const CalibrateOptions& options) {
+  if (!options.data.empty()) return "";
+  if (!IsAmong(TaskNames(Tasks::kPlanned), options.task))
+    return "'" + options.task + "' has no built-in simulator: give --data, recorded trials";
   const std::string scenes = CalibrationSeedDefect(options.seed, options.scenes);
   return scenes.empty() ? SceneDefect(options.scene, options.task) : scenes;
 }
+
+void Define(CLI::App& app, EvaluateOnBusOptions& options) {
+  options.episode.bus.log_level = "warn";
+  DefineEpisode(app, options.episode);
+  DefineRecovery(app, options.retries, options.surprise);
+  DefineNoReset(app, options.reset);
+  app.add_option("--episodes", options.episodes,
+                 "episodes of each row, in all: those that --out holds already are not run again")
+      ->type_name("N")
+      ->transform(Whole(1, 1'000'000))
+      ->capture_default_str();
+  app.add_flag("--pause", options.pause,
+               "wait for Enter before each episode, where a person sets the scene up");
+  app.add_option("--rows", options.rows,
+                 "whose episodes are run, on equal scenes where the robot heeds a seed")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->check(OneOf({"planner", "random", "greedy"}))
+      ->capture_default_str();
+  DefineProcess(app, options.episode.bus);
+}
+
+std::string Defect(const EvaluateOnBusOptions& options) {
+  if (options.episode.out.empty()) return "--out is required: the folder of the records";
+  return EpisodeDefect(options.episode);
+}
+
+void Define(CLI::App& app, EvaluateDataOptions& options) {
+  DefineTask(app, options.task, Tasks::kAll);
+  DefineRecorded(app, options.data, options.all, "recorded trials");
+  app.get_option("--data")->required();
+  DefineWeightsFile(app, options.weights);
+  DefineReport(app, options.report);
+}
+
+std::string Defect(const EvaluateDataOptions&) { return ""; }
 
 void Define(CLI::App& app, NoveltyOptions& options) {
   DefineTask(app, options.task, Tasks::kPlanned);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/fwd.h"
 #include "cli/options/common.h"
+#include "cli/options/episode.h"
 #include "cli/options/promise.h"
 #include "cli/options/report.h"
 #include "cli/options/scene.h"
@@ -81,6 +83,8 @@ struct CalibrateOptions {
   std::string goal;  ///< its threshold is told and not stored; empty: the task's own
   SearchOptions search;
   PromiseOptions promise;  ///< nothing asked: refuse at most 0.05
+  std::string data;        ///< recorded trials instead of scenes; empty: scenes
+  bool all = false;        ///< of them all, as EvaluateDataOptions
   int jobs = 2;
   ReportOptions report;
 };
@@ -94,6 +98,27 @@ struct NoveltyOptions {
   std::string objects = "mixed";               ///< navigation: as trials are made
   std::string scene_file;                      ///< stacking: a scene of one's own
   bool quiet = false;
+};
+
+/// Closed loops with whatever is on the bus: a simulator, or a robot.
+struct EvaluateOnBusOptions {
+  EpisodeOptions episode;          ///< seed: the first scene; out: folder of the records
+  int retries = 1;                 ///< of the planner's row
+  std::optional<double> surprise;  ///< left out: as everywhere
+  bool reset = true;               ///< false: scenes are taken as they stand
+  int episodes = 60;               ///< scenes: each row has so many episodes
+  bool pause = false;              ///< before each episode, until Enter is typed
+  std::vector<std::string> rows = {"planner", "random", "greedy"};
+};
+
+/// What the networks say of recorded trials that they were not trained on, beside what came of
+/// them.
+struct EvaluateDataOptions {
+  std::string task = DefaultTask();
+  std::string data;     ///< data set
+  std::string weights;  ///< as WeightsFile()
+  bool all = false;     ///< all trials, not only those of the parts that nothing is trained on
+  ReportOptions report;
 };
 
 /// Whether the promises about refusals hold over random halves of calibration scenes.
@@ -113,6 +138,8 @@ void Define(CLI::App& app, EvaluateOptions& options);
 void Define(CLI::App& app, EvaluatePlansOptions& options);
 void Define(CLI::App& app, EvaluateShiftsOptions& options);
 void Define(CLI::App& app, CalibrateOptions& options);
+void Define(CLI::App& app, EvaluateOnBusOptions& options);
+void Define(CLI::App& app, EvaluateDataOptions& options);
 void Define(CLI::App& app, NoveltyOptions& options);
 void Define(CLI::App& app, RefusalsOptions& options);
 std::string Defect(const EvaluateOptions& options);
@@ -120,5 +147,7 @@ std::string Defect(const EvaluatePlansOptions& options);
 std::string Defect(const EvaluateShiftsOptions& options);
 std::string Defect(const CalibrateOptions& options);
 std::string Defect(const NoveltyOptions& options);
+std::string Defect(const EvaluateOnBusOptions& options);
+std::string Defect(const EvaluateDataOptions& options);
 
 }  // namespace prospect::cli

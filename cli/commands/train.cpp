@@ -65,6 +65,13 @@ void DefineConfiguration(CLI::App& app, TrainOptions& options) {
                  "iterations of the transform network; the other stages scale with it")
       ->type_name("N")
       ->transform(Whole(1, 1'000'000'000));
+  app.add_option(
+         "--minutes", options.minutes,
+         "as many iterations as fit into this time, by each stage's measured speed; reading "
+         "data and scoring come on top")
+      ->type_name("M")
+      ->check(Real(0.01, 100'000))
+      ->excludes(app.get_option("--iterations"));
   app.add_option("--variant", options.variant, "a row of the paper's comparison; see below")
       ->type_name("NAME")
       ->check(OneOf(VariantNames()));
@@ -128,8 +135,8 @@ void DefineRecipe(CLI::App& app, TrainOptions& options) {
                      "train all runs of this file, such as recipes/stacking.json, which made the "
                      "bundled weights, one after the other, each in a folder of its name in --out")
           ->type_name("FILE");
-  for (const char* name : {"--task", "--variant", "--paper", "--without", "--finetune", "--config",
-                           "--labels", "--from", "--fresh", "--stage", "--score"}) {
+  for (const char* name : {"--task", "--minutes", "--variant", "--paper", "--without", "--finetune",
+                           "--config", "--labels", "--from", "--fresh", "--stage", "--score"}) {
     recipe->excludes(app.get_option(name));
   }
 }

@@ -16,6 +16,7 @@ struct TrainOptions {
   std::string data;                  ///< made by collect (HDF5)
   std::string out;                   ///< folder for checkpoints, caches, weights and curves.csv
   std::int64_t iterations = 0;       ///< of T, the other stages in proportion; 0: the task's own
+  double minutes = 0;                ///< instead: of all stages' iterations together; 0: not asked
   std::string variant;               ///< of the paper's comparison; empty: none
   std::string recipe;                ///< file of runs, one after the other; empty: one run
   bool paper = false;                ///< leave all steps beyond the paper out

@@ -39,6 +39,7 @@ const std::map<std::string, Carrier>& Carriers() {
       {"tasks", CarriedAlone<TasksOptions>()},
       {"task learn", Carried<TaskLearnOptions>()},
       {"check-robot", Carried<CheckRobotOptions>()},
+      {"evaluate on-bus", Carried<EvaluateOnBusOptions>()},
       {"doctor", CarriedAlone<DoctorOptions>()},
       {"status", Carried<StatusOptions>()},
       {"spy", Carried<SpyOptions>()},

@@ -2,6 +2,7 @@
 
 #include "cli/commands/bench.h"
 #include "cli/commands/deployment.h"
+#include "cli/commands/evaluate.h"
 #include "cli/commands/tasks.h"
 #include "cli/commands/upkeep.h"
 #include "cli/run/invocation.h"
@@ -36,6 +37,9 @@ int Run(const StatusOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const CheckRobotOptions& options);
 int Run(const CheckRobotOptions& options, const Invocation& invocation);
+
+Words ProgramsOf(const EvaluateOnBusOptions& options);
+int Run(const EvaluateOnBusOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const PredictOptions& options);
 int Run(const PredictOptions& options, const Invocation& invocation);

@@ -98,6 +98,15 @@ int Run(const TaskLearnOptions& options, const Invocation& invocation) {
   return Become(Joining(bus, options.bus.key, invocation));
 }
 
+Words ProgramsOf(const EvaluateOnBusOptions&) { return ProgramsToJoin("evaluate on-bus"); }
+
+int Run(const EvaluateOnBusOptions& options, const Invocation& invocation) {
+  const cli::BusOptions& place = options.episode.bus;
+  const std::string bus = BusOf(place.bus);
+  RequireRoute(bus);
+  return Become(Joining(bus, place.key, invocation));
+}
+
 Words ProgramsOf(const PredictOptions&) { return ProgramsToJoin("predict"); }
 
 int Run(const PredictOptions& options, const Invocation& invocation) {

@@ -47,7 +47,7 @@ struct StageRun {
   bool quiet = false;            ///< no progress on stderr
   double checkpoint_seconds = 60;
   torch::Device device = torch::kCPU;
-  /// For tests: stop (as if killed) after this many iterations; -1 = never.
+  /// To try how fast it is, and for tests: stop (as if killed) after this many; -1 = never.
   std::int64_t stop_after = -1;
 };
 

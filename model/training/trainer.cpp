@@ -3,7 +3,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "base/atomic_file.h"
@@ -14,6 +17,7 @@
 #include "model/training/picture_stages.h"
 #include "model/training/progress.h"
 #include "model/training/stage.h"
+#include "model/training/time_budget.h"
 #include "model/training/transform_stages.h"
 #include "model/weights.h"
 
@@ -183,6 +187,12 @@ std::string ClassifiersHash(const std::string& weights) {
   return fs::exists(beside) ? base::HexText(WeightsFileHash(beside)) : "";
 }
 
+// Shares of a run's time. The encoder is what all else stands on, and T is the dearest.
+const std::map<std::string, double> kTimeShares = {
+    {"classifier", 0.1},       {"second-classifier", 0.1}, {"encoder-decoder", 0.25},
+    {"transform-hidden", 0.35}, {"transform-image", 0.05},   {"heads", 0.35}};
+constexpr int kTried = 20, kTriedFirst = 3;  // iterations by which a stage's speed is measured
+
 ProgressFn ProgressOf(const std::string& what) {
   auto line = std::make_shared<ProgressLine>(what);
   return [line](std::int64_t done, std::int64_t total) { line->Show(done, total); };
@@ -209,7 +219,8 @@ struct Trainer::Impl {
   TrainContext context;
   std::string from_hash, from_classifiers;
   std::vector<StageSummary> stages;
-  std::vector<std::string> curves;  // files, in the order of `stages`
+  std::vector<std::string> curves;   // files, in the order of `stages`
+  std::optional<TimeBudget> budget;  // where a person said how long it may take
 
   Impl(const TrainConfig& c, const TrainOptions& o)
       : config(c),
@@ -233,6 +244,10 @@ struct Trainer::Impl {
       from_hash = base::HexText(WeightsFileHash(o.from));
       from_classifiers = ClassifiersHash(o.from);
     }
+    if (o.minutes > 0) {
+      budget.emplace(o.folder + "/minutes.json", o.minutes, KeyOf({BaseKey(), config}),
+                     SharesOfTime());
+    }
   }
 
   /// Refuses weights that do not fit now rather than when their stage begins.
@@ -242,6 +257,47 @@ struct Trainer::Impl {
     for (const auto& [name, module] : networks.named()) {
       if (!BeginsFrom(options, StageOf(name))) continue;
       LoadNetwork(options.from, config.network, name, module);
+    }
+  }
+
+  std::map<std::string, double> SharesOfTime() const {
+    std::map<std::string, double> shares = kTimeShares;
+    const auto unless = [&](bool runs, const char* stage) {
+      if (!runs) shares.erase(stage);
+    };
+    unless(context.networks.has_classifier && config.classifier.iterations > 0, "classifier");
+    unless(context.networks.has_classifier && config.classifier.iterations > 0,
+           "second-classifier");
+    unless(config.transform_hidden.iterations > 0, "transform-hidden");
+    unless(config.transform_image.iterations > 0, "transform-image");
+    unless(context.networks.has_heads && config.heads.iterations > 0, "heads");
+    return shares;
+  }
+
+  /// Sets a stage's iterations by the time that it may take. Trying how fast it is spoils its
+  /// networks, which `initialise` makes anew.
+  void Budget(const std::string& name, StageConfig* stage,
+              const std::function<std::unique_ptr<Stage>()>& make,
+              const std::function<void()>& initialise) {
+    if (!budget || stage->iterations == 0) return;
+    stage->iterations = budget->Iterations(name, [&] {
+      StageRun run = RunOf("speed-of-" + name, "speed");
+      run.quiet = true;
+      run.checkpoint_seconds = 1e9;
+      for (const int tried : {kTriedFirst, kTried}) {
+        run.stop_after = tried;
+        initialise();
+        stage->iterations = std::max<std::int64_t>(stage->iterations, tried + 1);
+        const std::unique_ptr<Stage> trial = make();
+        if (tried == kTried) return RunStage(trial.get(), run).seconds / tried;
+        RunStage(trial.get(), run);
+      }
+      return 0.0;
+    });
+    initialise();
+    if (!base::Quiet()) {
+      std::fprintf(stderr, "%-18s %8lld iterations fit into its time\n", name.c_str(),
+                   static_cast<long long>(stage->iterations));
     }
   }
 
@@ -379,14 +435,29 @@ struct Trainer::Impl {
   }
 
   void TrainClassifier(const std::string& name, Classifier classifier) {
-    Initialise(name == "classifier" ? "classifier" : "second_classifier", classifier.ptr().get());
+    const auto initialise = [&] {
+      Initialise(name == "classifier" ? "classifier" : "second_classifier", classifier.ptr().get());
+    };
+    initialise();
+    if (name == "classifier") {  // the second one is trained as long
+      Budget(
+          name, &config.classifier, [&] { return MakeClassifierStage(context, classifier, name); },
+          initialise);
+    }
     TrainOrLoad(name, MakeClassifierStage(context, classifier, name).get(), ClassifierKey(name));
   }
 
-  void TrainEncoder() {
+  void InitialiseEncoder() {
     Initialise("encoder", context.networks.encoder.ptr().get());
     Initialise("decoder", context.networks.decoder.ptr().get());
     if (context.landmarks) InitialiseFresh("landmarks", context.landmarks.ptr().get());
+  }
+
+  void TrainEncoder() {
+    InitialiseEncoder();
+    Budget(
+        "encoder-decoder", &config.encoder_decoder,
+        [&] { return MakeEncoderDecoderStage(context); }, [&] { InitialiseEncoder(); });
     TrainOrLoad("encoder-decoder", MakeEncoderDecoderStage(context).get(), EncoderKey());
   }
 
@@ -401,9 +472,19 @@ struct Trainer::Impl {
     context.hidden = hidden.get();
   }
 
-  void TrainTransform() {
+  void InitialiseTransform() {
     Initialise("transform", context.networks.transform.ptr().get());
     Initialise("f", context.networks.f.ptr().get());
+  }
+
+  void TrainTransform() {
+    InitialiseTransform();
+    Budget(
+        "transform-hidden", &config.transform_hidden,
+        [&] { return MakeTransformHiddenStage(context); }, [&] { InitialiseTransform(); });
+    Budget(
+        "transform-image", &config.transform_image,
+        [&] { return MakeTransformImageStage(context); }, [&] { InitialiseTransform(); });
     if (config.transform_hidden.iterations > 0) {
       TrainOrLoad("transform", MakeTransformHiddenStage(context).get(), TransformHiddenKey());
     }
@@ -412,10 +493,29 @@ struct Trainer::Impl {
     }
   }
 
-  void TrainHeads() {
+  /// f goes on from where T's training left it.
+  void ReloadTransform() {
+    const bool image = config.transform_image.iterations > 0;
+    if (!image && config.transform_hidden.iterations == 0) return InitialiseTransform();
+    const std::unique_ptr<Stage> stage =
+        image ? MakeTransformImageStage(context) : MakeTransformHiddenStage(context);
+    LoadFinished(stage.get(), RunOf(stage->name(), image ? TransformKey() : TransformHiddenKey()));
+  }
+
+  void InitialiseHeads() {
     for (const auto& [name, module] : context.networks.named()) {
       if (name == "value" || name == "q" || name == "p") Initialise(name, module);
     }
+  }
+
+  void TrainHeads() {
+    InitialiseHeads();
+    Budget(
+        "heads", &config.heads, [&] { return MakeHeadsStage(context); },
+        [&] {
+          InitialiseHeads();
+          ReloadTransform();
+        });
     TrainOrLoad("heads", MakeHeadsStage(context).get(), HeadsKey());
   }
 };

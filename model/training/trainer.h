@@ -27,7 +27,10 @@ struct TrainOptions {
   /// transform, heads.
   std::set<std::string> stages;
   bool score_only = false;  ///< nothing is trained: the data set need only have test trials
-  std::string command;      ///< kept in the metadata: how the weights were made
+  /// Of all stages' iterations together; 0: as many iterations as the configuration says. Stages
+  /// that it leaves out stay out.
+  double minutes = 0;
+  std::string command;  ///< kept in the metadata: how the weights were made
 };
 
 /// One stage of a run, for tables.

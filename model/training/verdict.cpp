@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kSurely = 2;  // standard errors
+constexpr double kSurely = 2;           // standard errors
+constexpr std::size_t kMostWanted = 3;  // kinds of examples that are named
 
 struct Line {
   std::string what, found, trivial, words;
@@ -81,7 +82,54 @@ std::string Row(const std::string& what, const std::string& found, const std::st
   return text;
 }
 
+// The fewer kind of examples of an action.
+struct Rare {
+  int examples = 0;
+  std::string name, what;
+};
+
+std::string WantedWords(std::vector<Rare> rare) {
+  std::stable_sort(rare.begin(), rare.end(),
+                   [](const Rare& a, const Rare& b) { return a.examples < b.examples; });
+  rare.resize(std::min<std::size_t>(rare.size(), kMostWanted));
+  std::string wanted;
+  for (const Rare& one : rare) {
+    wanted += (wanted.empty() ? "" : ", ") + one.name + " " + one.what + " (" +
+              std::to_string(one.examples) + " here)";
+  }
+  return "More trials would help most of: " + wanted + "\n";
+}
+
 }  // namespace
+
+std::string PictureVerdict(const std::string& what, const json& scores) {
+  const Line line = PictureLine(what, scores);
+  return Row(what, line.found, line.trivial, line.words);
+}
+
+std::string HeadVerdict(const std::string& what, const json& scores) {
+  const Line line = HeadLine(what, scores);
+  return Row(what, line.found, line.trivial, line.words);
+}
+
+std::string ActionVerdict(const json& actions) {
+  std::string guessed;
+  std::vector<Rare> rare;
+  for (const json& action : actions) {
+    if (HeadLine("f", action).better) continue;
+    const std::string name = action.at("name");
+    const int samples = action.at("samples");
+    const auto succeeded =
+        static_cast<int>(std::lround(samples * action.at("base_rate").get<double>()));
+    guessed += (guessed.empty() ? "" : ", ") + name + " (" + std::to_string(samples) +
+               (samples == 1 ? " example)" : " examples)");
+    const bool failures = 2 * succeeded >= samples;
+    rare.push_back({failures ? samples - succeeded : succeeded, name,
+                    failures ? "that fails" : "that succeeds"});
+  }
+  if (guessed.empty()) return "";
+  return "Not better than guessing: f for " + guessed + "\n" + WantedWords(std::move(rare));
+}
 
 std::string Verdict(const json& scores) {
   const std::vector<Line> lines = Lines(scores);

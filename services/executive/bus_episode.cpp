@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/random.h"
+#include "services/executive/greedy_mind.h"
 #include "services/executive/plan_message.h"
 #include "services/executive/policy.h"
 
@@ -33,11 +34,16 @@ std::vector<int> PlanFor(Conversation& talk, const ExecutiveOptions& options) {
 ExecutiveOptions Whole(Conversation& talk, ExecutiveOptions options) {
   options.explain = options.explain_only || !options.out.empty();
   options.illustrate = true;
-  if (options.policy != "search") {
+  if (!options.AsksNetworks()) {
     const ExecutiveOptions given = options;
     options.plan = [&talk, given] { return PlanFor(talk, given); };
   }
   return options;
+}
+
+std::unique_ptr<BusMind> MindFor(Conversation& talk, const ExecutiveOptions& options) {
+  if (options.policy == "greedy") return std::make_unique<GreedyMind>(talk, options);
+  return std::make_unique<BusMind>(talk, options);
 }
 
 }  // namespace
@@ -62,8 +68,8 @@ BusEpisode::BusEpisode(Conversation& talk, const ExecutiveOptions& options, Tell
       options_(Whole(talk, options)),
       speaker_(talk, std::move(tell)),
       world_(talk, options_),
-      mind_(talk, options_),
-      episode_(world_, &mind_, options_, speaker_) {}
+      mind_(MindFor(talk, options_)),
+      episode_(world_, mind_.get(), options_, speaker_) {}
 
 agent::EpisodeRecord BusEpisode::Run() { return Leave(episode_.Run()); }
 

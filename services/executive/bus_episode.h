@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "agent/episode.h"
@@ -54,7 +55,7 @@ class BusEpisode {
   ExecutiveOptions options_;
   Speaker speaker_;
   BusWorld world_;
-  BusMind mind_;
+  std::unique_ptr<BusMind> mind_;
   agent::Episode episode_;
 };
 

@@ -1,5 +1,4 @@
 #include "services/executive/bus_mind.h"
-#include "base/hash.h"
 
 #include "base/hash.h"
 #include "services/binding/search_messages.h"

@@ -8,7 +8,6 @@ namespace prospect::services {
 namespace {
 
 constexpr char kTuning[] = "For programs and measurements";
-constexpr int kBlocksPerLevel = 9;  // actions by which a tower of stacking grows by a block
 
 void AddSearchOptions(CLI::App& app, ExecutiveOptions& options) {
   auto& search = options.search;
@@ -59,35 +58,19 @@ void AddServiceOptions(CLI::App& app, ExecutiveOptions& options) {
 
 // What a person asked for, into what the episode takes.
 void Take(const cli::ExecutiveOptions& given, ExecutiveCall* call) {
-  const cli::EpisodeOptions& episode = given.episode;
   ExecutiveOptions& options = call->options;
-  options.task = episode.task;
-  options.seed = episode.seed;
-  options.objects = episode.scene.objects;
-  options.legs =
-      episode.scene.tower > 0 ? kBlocksPerLevel * (episode.scene.tower - 1) : episode.scene.legs;
+  Take(given.episode, &options);
   options.reset = given.reset;
   options.world = given.world;
-  options.goal = episode.goal;
   options.policy = given.acting.policy;
   options.retries = given.acting.retries;
   if (given.acting.surprise) options.surprise = *given.acting.surprise;
-  options.search.samples = episode.samples;
-  options.search.depth = episode.depth;
-  options.search.rule = episode.rule;
-  options.workers = episode.workers > 0 ? episode.workers : 1;
-  options.refusal_threshold = episode.refusal.threshold.value_or(-1);
-  options.promise.refuse_at_most = episode.refusal.promise.refuse_at_most;
-  options.promise.fail_at_most = episode.refusal.promise.fail_at_most;
-  options.promise.delta = episode.refusal.promise.delta;
-  options.novelty = episode.refusal.novelty;
   options.explain_only = given.explain_only;
   options.what_if = given.what_if;
-  options.out = episode.out;
   call->episodes = given.trials.episodes;
   call->pause = given.trials.pause;
-  call->common = CommonOptions(episode.bus);
-  call->report = episode.report;
+  call->common = CommonOptions(given.episode.bus);
+  call->report = given.episode.report;
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "agent/options.h"
+#include "cli/options/episode.h"
 
 namespace prospect::services {
 
 /// What a person may ask of one episode on a bus; the defaults are those of the command line.
-/// `policy`: "search", "plan:0,1,2", "collect" or "expert".
+/// `policy`: "search", "greedy" (the action with the highest Q, then look again), "plan:0,1,2",
+/// "collect" or "expert".
 struct ExecutiveOptions : agent::EpisodeOptions {
   std::string task;             ///< NAME|FILE; another on the bus is refused; empty: what is there
   std::int64_t seed = 2000000;  ///< scene
@@ -23,6 +25,12 @@ struct ExecutiveOptions : agent::EpisodeOptions {
   int services_timeout_ms = 15000;  ///< how long to wait for services to appear
   int scene_timeout_ms = 10000;     ///< and then for the scene to stand before the camera
   std::string out;                  ///< folder for results; empty: none are written
+
+  /// Whether the networks decide, so that model servers and workers are needed.
+  bool AsksNetworks() const { return policy == "search" || policy == "greedy"; }
 };
+
+/// What a person asked for, into what an episode takes; all else stays.
+void Take(const cli::EpisodeOptions& asked, ExecutiveOptions* options);
 
 }  // namespace prospect::services

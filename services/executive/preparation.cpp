@@ -17,8 +17,6 @@ constexpr std::int64_t kLookTimeoutMs = 5000;
 constexpr int kSilentMs = 1500;                       // TASK and HEALTH come once a second
 constexpr std::int64_t kCalibrationTimeoutMs = 5000;  // several times the servers' period
 
-bool Searches(const ExecutiveOptions& options) { return options.policy == "search"; }
-
 int Alive(Conversation& talk, const char* service) {
   return static_cast<int>(talk.monitor().Alive(service).size());
 }
@@ -26,7 +24,7 @@ int Alive(Conversation& talk, const char* service) {
 std::string Missing(Conversation& talk, const ExecutiveOptions& options) {
   std::string missing;
   if (!talk.view().task()) missing += " a simulator or robot (no TASK is published);";
-  if (!Searches(options)) return missing;
+  if (!options.AsksNetworks()) return missing;
   if (talk.view().servers().Live(0, SteadyMs()).empty())
     missing += " a model server (no MODEL_INFO);";
   const int workers = Alive(talk, "worker");
@@ -74,7 +72,7 @@ bool Fits(const model_info_t& info, const task_t& task) {
 
 /// Weights without V, Q, p and f are said at once, not after waiting for workers.
 void RequireJudgement(const model_info_t& info, const ExecutiveOptions& options) {
-  if (!Searches(options) || options.workers == 0) return;
+  if (!options.AsksNetworks() || options.workers == 0) return;
   if (info.judges) return;
   throw ExitError(kExitWeights, "weights " + base::HexText(info.weights_hash) + " for task '" +
                                     info.task +

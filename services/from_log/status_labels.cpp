@@ -76,7 +76,7 @@ std::map<std::int64_t, label_t> LabelsFrom(const std::vector<action_status_t>& s
   label_t label = BeforeAll(task);
   std::map<std::int64_t, label_t> labels = {{0, label}};
   const std::vector<Act> acts = ActsOf(statuses);
-  std::int64_t frame = 0;
+  std::int64_t frame = 0;  // on which the action begins: the one that ended the action before it
   for (std::size_t i = 0; i < acts.size(); ++i) {
     RequireKnown(acts[i], i + 1 == acts.size(), task);
     const action_status_t& end = acts[i].status;
@@ -85,12 +85,17 @@ std::map<std::int64_t, label_t> LabelsFrom(const std::vector<action_status_t>& s
     label.previous_action = label.action;
     label.action = end.action;
     ++label.segment;
-    while (frame < end.frame) labels[++frame] = label;
-    label_t& last = labels[frame];
+    for (; frame < end.frame; ++frame) labels[frame] = label;
+    const std::int8_t outcome = Verdict(end, static_cast<int>(i) + 1, task);
+    if (outcome == label_t::OUTCOME_RUNNING) {
+      labels[frame - 1].segment_end = 1;
+      continue;
+    }
+    label_t& last = labels[frame] = label;
     last.segment_end = 1;
-    last.outcome = Verdict(end, static_cast<int>(i) + 1, task);
+    last.outcome = outcome;
     if (last.outcome == label_t::OUTCOME_FAILURE) last.reason = end.reason;
-    if (last.outcome != label_t::OUTCOME_RUNNING) break;
+    break;
   }
   return labels;
 }

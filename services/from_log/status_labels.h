@@ -9,9 +9,10 @@
 namespace prospect::services {
 
 /// What LABEL would have said of each frame of an episode, from what a robot says of its actions.
-/// Pictures between the end of one action and the end of the next belong to the latter; the trial
-/// ends with the first action that failed, where the robot judges it, or, where it judges nothing,
-/// with the last action of a plan. There is no seed, and all actions of the table may be done.
+/// The picture on which an action ended is the first of the next one (model/trial.h): what is seen
+/// when it is decided on, before anything moves. The trial ends with the first action that failed,
+/// where the robot judges it, or, where it judges nothing, with the last action of a plan. There is
+/// no seed, and all actions of the table may be done.
 /// @param statuses of one episode, in the order in which they were heard, repeats included
 /// @param last_frame of the pictures that were heard
 /// @return labels by frame, up to the trial's end or as far as actions ended

@@ -1,16 +1,21 @@
+#include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli/options/task.h"
 #include "cli/report_file.h"
 #include "model/calibration.h"
 #include "model/refusal/promise.h"
 #include "planner/goal.h"
+#include "tools/common/recorded_report.h"
 #include "tools/common/words.h"
 #include "tools/common/world.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/closed_loop.h"
 #include "tools/evaluate/commands.h"
+#include "tools/evaluate/recorded.h"
 
 namespace prospect::tools {
 namespace {
@@ -49,6 +54,12 @@ std::string SceneWords(const cli::SceneOptions& scene) {
   return text;
 }
 
+void AddPromise(const model::Promise& promise, std::ostream* text) {
+  if (promise.refuse_at_most) *text << " --refuse-at-most " << *promise.refuse_at_most;
+  if (promise.fail_at_most)
+    *text << " --fail-at-most " << *promise.fail_at_most << " --delta " << promise.delta;
+}
+
 // It is kept in the weights.
 std::string CommandOf(const cli::CalibrateOptions& options, const ClosedLoop& loop,
                       const model::Promise& promise) {
@@ -56,10 +67,28 @@ std::string CommandOf(const cli::CalibrateOptions& options, const ClosedLoop& lo
   text << "./prospect evaluate calibrate --task " << options.task << SceneWords(options.scene)
        << " --scenes " << options.scenes << " --seed " << options.seed << " --samples "
        << loop.search.samples << " --v-failed " << loop.search.v_failed;
-  if (promise.refuse_at_most) text << " --refuse-at-most " << *promise.refuse_at_most;
-  if (promise.fail_at_most)
-    text << " --fail-at-most " << *promise.fail_at_most << " --delta " << promise.delta;
+  AddPromise(promise, &text);
   return text.str();
+}
+
+// It is kept in the weights: of paths only the last part.
+std::string DataCommandOf(const cli::CalibrateOptions& options, const model::Promise& promise) {
+  std::ostringstream text;
+  text << "./prospect evaluate calibrate --task "
+       << std::filesystem::path(options.task).filename().string() << " --data "
+       << std::filesystem::path(options.data).filename().string();
+  if (options.all) text << " --all-trials";
+  AddPromise(promise, &text);
+  return text.str();
+}
+
+// What a recorded plan's score depends on; how it was found does not matter.
+std::map<std::string, double> RecordedParameters(const model::RecordedTrials& judged) {
+  const model::GivenUpBelow limits;
+  return {{"c_done", limits.done},
+          {"v_failed", limits.value},
+          {"p_min", limits.possible},
+          {"plan_length", judged.trials.front().plan_length}};
 }
 
 // What is stored with the weights is for the task's own goal; of another one the threshold is told.
@@ -86,9 +115,48 @@ void Calibrate(const cli::CalibrateOptions& options, const ClosedLoop& loop,
           << " scenes\n";
 }
 
+// Where nothing is asked: the least share of plans that succeed to be refused that so few trials
+// can promise. Of random plans few succeed, and of these some are given up at any threshold.
+model::Promise PromiseFor(const cli::CalibrateOptions& options,
+                          const model::CalibrationSample& sample) {
+  model::Promise promise = PromiseAsked(options);
+  if (options.promise.asked()) return promise;
+  for (const double share : {0.05, 0.1, 0.2, 0.3}) {
+    promise.refuse_at_most = share;
+    if (model::ThresholdFor(sample, promise).kept) break;
+  }
+  return promise;
+}
+
+// Of recorded trials: each holds one plan that was carried out, whatever its score.
+int CalibrateByData(const cli::CalibrateOptions& options) {
+  const std::string weights = cli::WeightsFile(options.weights, options.task);
+  const Recorded recorded = JudgeData(options.data, weights, options.all);
+  model::CalibrationSample sample = SampleOf(recorded.judged);
+  sample.rule = options.search.rule;
+  sample.parameters = RecordedParameters(recorded.judged);
+  const model::Promise promise = PromiseFor(options, sample);
+  const std::string command = DataCommandOf(options, promise);
+  std::vector<std::string> sentences;
+  const model::Calibration calibration = CalibrationFrom(sample, promise, command, &sentences);
+  model::StoreCalibration(weights, calibration);
+  sentences.push_back(StoreRecordedNovelty(recorded, command));
+  for (const std::string& sentence : sentences) Words() << sentence << "\n";
+  Words() << model::CurveTable(sample) << "refusal threshold " << calibration.refusal_threshold
+          << ", stored in " << weights << " with all " << sample.scenes.size()
+          << " recorded plans, of which " << calibration.scenes << " succeeded\n";
+  const std::vector<std::string> names = ActionNames(options.task);
+  nlohmann::json report = ReportOf(recorded.judged, names, model::NoveltyGauge::Load(weights));
+  report["task"] = cli::TaskOf(options.task).spec.name;
+  report["threshold"] = calibration.refusal_threshold;
+  cli::WriteReport(options.report, report);
+  return kExitSuccess;
+}
+
 }  // namespace
 
 int RunCalibrate(const cli::CalibrateOptions& options) {
+  if (!options.data.empty()) return CalibrateByData(options);
   const ClosedLoop loop = LoopOf(options);
   CheckInputs(loop);
   const SceneRuns runs = RunClosedLoops(loop);

@@ -19,6 +19,12 @@ int RunPlans(const cli::EvaluatePlansOptions& options);
 /// colours and noise at five strengths each, open loop.
 int RunShifts(const cli::EvaluateShiftsOptions& options);
 
+/// What the networks say of recorded trials, beside what came of them; needs no simulator.
+int RunData(const cli::EvaluateDataOptions& options);
+
+/// Closed loop with whatever is on a bus; planner, random plans and greedy steps on equal scenes.
+int RunOnBus(const cli::EvaluateOnBusOptions& options);
+
 /// Finds the refusal threshold and stores it in the weights, with the sample that it comes from. Of
 /// another goal than the task's own the threshold is told and not stored.
 int RunCalibrate(const cli::CalibrateOptions& options);

@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "planner/baseline_plans.h"
 #include "sim/plan_rules.h"
 #include "tools/evaluate/simulated_world.h"
 
@@ -17,7 +18,7 @@ class Nothing : public LocalMind {
  private:
   agent::SearchAnswer Find(const agent::SearchQuestion&) override {
     agent::SearchAnswer answer;
-    answer.plan = PlanOf({}, "does nothing");
+    answer.plan = planner::PlanOf({}, "does nothing");
     return answer;
   }
 };
@@ -41,7 +42,7 @@ class Random : public LocalMind {
     if (!legal.empty())
       plan.push_back(static_cast<std::uint8_t>(legal[generator_() % legal.size()]));
     agent::SearchAnswer answer;
-    answer.plan = PlanOf(plan, "nothing is possible");
+    answer.plan = planner::PlanOf(plan, "nothing is possible");
     return answer;
   }
 

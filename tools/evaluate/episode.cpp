@@ -27,8 +27,9 @@ void Judge(const sim::Task& task, const Goal& goal, EpisodeRecord* measured) {
   measured->reason = holds ? "" : "goal not reached";
 }
 
-EpisodeRecord Measured(const agent::EpisodeRecord& record, const sim::Task& task,
-                       const Goal& goal) {
+}  // namespace
+
+EpisodeRecord MeasuredOf(const agent::EpisodeRecord& record) {
   EpisodeRecord measured;
   measured.ending = EndingFrom(record.outcome);
   measured.reason = record.reason;
@@ -43,11 +44,17 @@ EpisodeRecord Measured(const agent::EpisodeRecord& record, const sim::Task& task
     measured.carried_on += search.kind == NextStep::Kind::kCarryOn;
   }
   if (!measured.scores.empty()) measured.first_score = measured.scores.front();
-  Judge(task, goal, &measured);
   return measured;
 }
 
-}  // namespace
+nlohmann::json ToJson(const EpisodeRecord& record) {
+  return {{"ending", ToString(record.ending)}, {"reason", record.reason},
+          {"actions", record.actions},         {"score", record.first_score},
+          {"scores", record.scores},           {"surprises", record.surprises},
+          {"begun_anew", record.begun_anew},   {"carried_on", record.carried_on},
+          {"evaluations", record.evaluations}, {"rollouts", record.rollouts},
+          {"seconds", record.seconds_per_plan}};
+}
 
 const char* ToString(Ending ending) {
   switch (ending) {
@@ -70,7 +77,9 @@ EpisodeRecord RunEpisode(sim::Task& task, Decider& decider, std::uint64_t seed, 
   decider.mind->Enter(task, seed);
   agent::Episode episode(world, decider.mind.get(), decider.options,
                          listener != nullptr ? *listener : nobody);
-  return Measured(episode.Run(), task, goal);
+  EpisodeRecord measured = MeasuredOf(episode.Run());
+  Judge(task, goal, &measured);
+  return measured;
 }
 
 EpisodeRecord RunGivenPlan(sim::Task& task, const std::vector<int>& plan, std::uint64_t seed) {
@@ -79,7 +88,9 @@ EpisodeRecord RunGivenPlan(sim::Task& task, const std::vector<int>& plan, std::u
   agent::EpisodeOptions options;
   options.policy = "plan";
   options.plan = [&plan] { return plan; };
-  return Measured(agent::Episode(world, nullptr, options, nobody).Run(), task, {});
+  EpisodeRecord measured = MeasuredOf(agent::Episode(world, nullptr, options, nobody).Run());
+  Judge(task, {}, &measured);
+  return measured;
 }
 
 }  // namespace prospect::tools

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "agent/listener.h"
+#include "agent/record.h"
 #include "sim/task.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/simulated_world.h"
@@ -34,6 +36,12 @@ struct EpisodeRecord {
   int begun_anew = 0;                    // times the plan was begun anew
   int carried_on = 0;                    // actions of plans given up as lost
 };
+
+/// What an agent's record says of it.
+EpisodeRecord MeasuredOf(const agent::EpisodeRecord& record);
+
+/// As a row of a scene's record (report.h).
+nlohmann::json ToJson(const EpisodeRecord& record);
 
 using AfterAction = SimulatedWorld::AfterAction;
 

@@ -29,22 +29,6 @@ agent::Recognition LocalMind::Familiar() {
   return recognition;
 }
 
-planner::Plan PlanOf(const planner::Path& path, const char* reason) {
-  planner::Plan plan;
-  if (path.empty()) {
-    plan.status = planner::PlanStatus::kRefused;
-    plan.reason = reason;
-    return plan;
-  }
-  plan.status = planner::PlanStatus::kPlan;
-  plan.best.path = path;
-  for (const auto action : path) {
-    plan.best.steps.emplace_back();
-    plan.best.steps.back().action = action;
-  }
-  return plan;
-}
-
 agent::SearchAnswer SearchWith(const agent::SearchQuestion& question, planner::ModelSource* model) {
   agent::SearchAnswer answer;
   if (question.parameters.workers > 1) {

@@ -48,10 +48,6 @@ class LocalMind : public agent::Mind {
   std::vector<std::uint8_t> present_;  // picture of the latest search
 };
 
-/// The plan of a mind that judges nothing: it may be carried out. Refused for `reason` where it is
-/// empty.
-planner::Plan PlanOf(const planner::Path& path, const char* reason);
-
 /// Parameters.workers workers on one tree, or one alone.
 agent::SearchAnswer SearchWith(const agent::SearchQuestion& question, planner::ModelSource* model);
 

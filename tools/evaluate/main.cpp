@@ -14,6 +14,10 @@ int main(int argc, char** argv) {
       Carries("shifts", "evaluate shifts", tools::RunShifts),
       Carries("calibrate", "evaluate calibrate", tools::RunCalibrate),
       Carries("novelty", "evaluate novelty", tools::RunNovelty),
+      Carries("data", "evaluate data", tools::RunData),
+#ifdef PROSPECT_HAS_BUS
+      Carries("on-bus", "evaluate on-bus", tools::RunOnBus),
+#endif
       Carries("refusals", "evaluate refusals", tools::RunRefusals),
   };
   return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-evaluate", kExitDisk);

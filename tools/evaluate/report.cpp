@@ -110,7 +110,55 @@ void PutLost(json* out, const std::vector<SceneRecord>& scenes) {
   (*out)["lost_recoverable"] = recoverable;
 }
 
+// Of the planner's plans; evaluations of `counted` scenes.
+void PutCost(json* out, const std::vector<SceneRecord>& scenes, const Scenes& counted) {
+  const std::vector<double> seconds = PlanSeconds(scenes, "planner");
+  (*out)["seconds_per_plan_p50"] = Quantile(seconds, 0.5);
+  (*out)["seconds_per_plan_p95"] = Quantile(seconds, 0.95);
+  (*out)["evaluations_per_episode"] =
+      Mean(counted, [](const SceneRecord& s) { return s["rows"]["planner"]["evaluations"]; });
+}
+
+std::string ShareLine(const json& summary, const std::string& name, const std::string& key) {
+  char line[200];
+  std::snprintf(line, sizeof line, "  %-34s %5.1f %%   [%5.1f, %5.1f]   %d\n", name.c_str(),
+                100 * summary[key].get<double>(), 100 * summary[key + "_interval"][0].get<double>(),
+                100 * summary[key + "_interval"][1].get<double>(),
+                summary[key + "_count"].get<int>());
+  return line;
+}
+
+std::string DifferenceLine(const json& summary, const std::string& row) {
+  const std::string key = "planner_minus_" + row;
+  char line[200];
+  std::snprintf(line, sizeof line, "  %-34s %+5.1f     [%+5.1f, %+5.1f]\n",
+                "  planner less that, paired", 100 * summary[key].get<double>(),
+                100 * summary[key + "_interval"][0].get<double>(),
+                100 * summary[key + "_interval"][1].get<double>());
+  return line;
+}
+
+constexpr char kShareHeading[] =
+    "                                      share    95 % interval    scenes\n";
+
 }  // namespace
+
+json SummariseUnclassed(const std::vector<SceneRecord>& scenes,
+                        const std::vector<std::string>& rows) {
+  Scenes all;
+  for (const SceneRecord& scene : scenes) all.push_back(&scene);
+  const auto total = static_cast<int>(all.size());
+  json out = {{"scenes", total}};
+  for (const char* ending : {"solved", "refused", "failed", "stopped"})
+    PutShare(&out, ending, CountEnding(all, "planner", ending), total);
+  for (const std::string& row : rows) {
+    if (row == "planner") continue;
+    PutShare(&out, row + "_solved", CountEnding(all, row, "solved"), total);
+    PutDifference(&out, row, all);
+  }
+  PutCost(&out, scenes, all);
+  return out;
+}
 
 json Summarise(const std::vector<SceneRecord>& scenes, const std::vector<std::string>& rows) {
   const Scenes solvable = OfClass(scenes, "solvable");
@@ -128,44 +176,31 @@ json Summarise(const std::vector<SceneRecord>& scenes, const std::vector<std::st
     PutDifference(&out, row, solvable);
   }
   PutLost(&out, scenes);
-  const std::vector<double> seconds = PlanSeconds(scenes, "planner");
-  out["seconds_per_plan_p50"] = Quantile(seconds, 0.5);
-  out["seconds_per_plan_p95"] = Quantile(seconds, 0.95);
-  out["evaluations_per_episode"] =
-      Mean(solvable, [](const SceneRecord& s) { return s["rows"]["planner"]["evaluations"]; });
+  PutCost(&out, scenes, solvable);
   return out;
 }
 
 std::string Table(const json& summary, const std::vector<std::string>& rows) {
   std::string text;
   char line[200];
-  const auto add = [&](const char* name, const std::string& key) {
-    std::snprintf(
-        line, sizeof line, "  %-34s %5.1f %%   [%5.1f, %5.1f]   %d\n", name,
-        100 * summary[key].get<double>(), 100 * summary[key + "_interval"][0].get<double>(),
-        100 * summary[key + "_interval"][1].get<double>(), summary[key + "_count"].get<int>());
-    text += line;
+  const auto add = [&](const std::string& name, const std::string& key) {
+    text += ShareLine(summary, name, key);
   };
   std::snprintf(line, sizeof line, "%d scenes: %d solvable, %d hopeless, %d doubtful\n",
                 summary["scenes"].get<int>(), summary["solvable"].get<int>(),
                 summary["hopeless"].get<int>(), summary["doubtful"].get<int>());
   text += line;
-  text += "                                      share    95 % interval    scenes\n";
+  text += kShareHeading;
   for (const char* ending : {"solved", "refused", "stopped", "failed"}) {
-    add((std::string("planner, solvable: ") + ending).c_str(), std::string(ending) + "_solvable");
+    add(std::string("planner, solvable: ") + ending, std::string(ending) + "_solvable");
   }
   for (const char* ending : {"refused", "stopped", "failed"}) {
-    add((std::string("planner, hopeless: ") + ending).c_str(), std::string(ending) + "_hopeless");
+    add(std::string("planner, hopeless: ") + ending, std::string(ending) + "_hopeless");
   }
   for (const std::string& row : rows) {
     if (row == "planner") continue;
-    add((row + ", solvable: solved").c_str(), row + "_solved_solvable");
-    const std::string key = "planner_minus_" + row;
-    std::snprintf(line, sizeof line, "  %-34s %+5.1f     [%+5.1f, %+5.1f]\n",
-                  "  planner less that, paired", 100 * summary[key].get<double>(),
-                  100 * summary[key + "_interval"][0].get<double>(),
-                  100 * summary[key + "_interval"][1].get<double>());
-    text += line;
+    add(row + ", solvable: solved", row + "_solved_solvable");
+    text += DifferenceLine(summary, row);
   }
   if (summary["lost"] > 0) {
     std::snprintf(line, sizeof line,
@@ -182,6 +217,24 @@ std::string Table(const json& summary, const std::vector<std::string>& rows) {
       "  seconds a plan: median %.3f, 95th percentile %.3f; %.0f evaluations an episode\n",
       100 * summary["oracle_success"].get<double>(),
       100 * summary["solved_over_oracle"].get<double>(),
+      summary["seconds_per_plan_p50"].get<double>(), summary["seconds_per_plan_p95"].get<double>(),
+      summary["evaluations_per_episode"].get<double>());
+  return text + line;
+}
+
+std::string UnclassedTable(const json& summary, const std::vector<std::string>& rows) {
+  std::string text = std::to_string(summary["scenes"].get<int>()) + " scenes\n" + kShareHeading;
+  for (const char* ending : {"solved", "refused", "stopped", "failed"})
+    text += ShareLine(summary, std::string("planner: ") + ending, ending);
+  for (const std::string& row : rows) {
+    if (row == "planner") continue;
+    text += ShareLine(summary, row + ": solved", row + "_solved");
+    text += DifferenceLine(summary, row);
+  }
+  char line[160];
+  std::snprintf(
+      line, sizeof line,
+      "  seconds a plan: median %.3f, 95th percentile %.3f; %.0f evaluations an episode\n",
       summary["seconds_per_plan_p50"].get<double>(), summary["seconds_per_plan_p95"].get<double>(),
       summary["evaluations_per_episode"].get<double>());
   return text + line;

@@ -18,6 +18,11 @@ using SceneRecord = nlohmann::json;
 nlohmann::json Summarise(const std::vector<SceneRecord>& scenes,
                          const std::vector<std::string>& rows);
 
+// The same of scenes that nobody has classed, as on a bus: without the keys that take an oracle.
+nlohmann::json SummariseUnclassed(const std::vector<SceneRecord>& scenes,
+                                  const std::vector<std::string>& rows);
+std::string UnclassedTable(const nlohmann::json& summary, const std::vector<std::string>& rows);
+
 // The summary as a table for a person.
 std::string Table(const nlohmann::json& summary, const std::vector<std::string>& rows);
 

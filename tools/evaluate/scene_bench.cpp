@@ -129,15 +129,6 @@ class SceneBench::Impl {
     return MakeNoveltyGate(std::move(decider), engine_.get(), *gauge_, options_.novelty);
   }
 
-  static json ToJson(const EpisodeRecord& record) {
-    return {{"ending", ToString(record.ending)}, {"reason", record.reason},
-            {"actions", record.actions},         {"score", record.first_score},
-            {"scores", record.scores},           {"surprises", record.surprises},
-            {"begun_anew", record.begun_anew},   {"carried_on", record.carried_on},
-            {"evaluations", record.evaluations}, {"rollouts", record.rollouts},
-            {"seconds", record.seconds_per_plan}};
-  }
-
   ClosedLoop options_;
   std::unique_ptr<sim::Task> task_;
   std::unique_ptr<model::Engine> engine_;

@@ -50,7 +50,7 @@ class EngineMind : public LocalMind {
       answer.plan = std::move(all.plan);
       answer.evaluations = all.evaluations;
     } else {
-      answer.plan = PlanOf(
+      answer.plan = planner::PlanOf(
           planner::GreedyPlan(question.rules, question.parameters, question.executed, &model_),
           "nothing is permitted");
       answer.evaluations = model_.evaluations();

@@ -11,6 +11,8 @@
 #include "cli/installation.h"
 #include "cli/report_file.h"
 #include "model/dataset.h"
+#include "model/engine.h"
+#include "model/recorded_trials.h"
 #include "model/training/config_choices.h"
 #include "model/training/export.h"
 #include "model/training/recipe_file.h"
@@ -19,11 +21,14 @@
 #include "model/training/verdict.h"
 #include "model/weights.h"
 #include "tasks/task_folder.h"
+#include "tools/common/recorded_report.h"
 #include "tools/common/task_training.h"
 #include "tools/train/commands.h"
 
 namespace prospect::tools {
 namespace {
+
+constexpr std::size_t kMostJudged = 300;
 
 // Of --config FILE.
 nlohmann::json ReadChanges(const std::string& path) {
@@ -48,6 +53,7 @@ model::TrainOptions RunOf(const cli::TrainOptions& a) {
   run.fresh.insert(a.fresh.begin(), a.fresh.end());
   run.device = a.device;
   run.threads = a.threads;
+  run.minutes = a.minutes;
   run.stages.insert(a.stages.begin(), a.stages.end());
   return run;
 }
@@ -71,12 +77,28 @@ nlohmann::json ScoresOf(const cli::TrainOptions& a, const model::Trainer& traine
   return model::ComputeScores(trainer.context(), trainer.file(), a.threads);
 }
 
+// f of each action on held-out trials, evenly spread ones where there are many: in which of them
+// the whole says nothing.
+nlohmann::json ByAction(const cli::TrainOptions& a, const model::TrialFile& file,
+                        const std::string& weights) {
+  const std::vector<std::size_t> all = model::HeldOutTrials(file, false);
+  std::vector<std::size_t> chosen;
+  const std::size_t step = all.size() / kMostJudged + 1;
+  for (std::size_t i = 0; i < all.size(); i += step) chosen.push_back(all[i]);
+  const auto engine = model::LoadEngine(weights, a.threads);
+  const model::RecordedTrials judged = model::JudgeRecorded(*engine, file, chosen, {});
+  return ReportOf(judged, ActionNames(a.task), std::nullopt).at("f").at("actions");
+}
+
 // What was learned, where it is, and what to do with it.
 void TellEnd(const cli::TrainOptions& a, const model::Trainer& trainer,
              const nlohmann::json& scores, const std::string& weights) {
   const char* task = a.task.c_str();
-  std::printf("%sWeights: %s\nCurves: %s/curves.csv\n", model::Verdict(scores).c_str(),
-              weights.c_str(), trainer.weights_folder().c_str());
+  std::printf("%s", model::Verdict(scores).c_str());
+  if (scores.contains("f_actions"))
+    std::printf("%s", model::ActionVerdict(scores["f_actions"]).c_str());
+  std::printf("Weights: %s\nCurves: %s/curves.csv\n", weights.c_str(),
+              trainer.weights_folder().c_str());
   std::printf("Every score: ./prospect train --task %s --data %s --out %s --score %s\n", task,
               a.data.c_str(), a.out.c_str(), weights.c_str());
   const char* next = scores.contains("plan") ? "evaluate" : "figures";  // it takes heads to plan
@@ -92,7 +114,8 @@ std::pair<std::string, nlohmann::json> Export(const cli::TrainOptions& a,
 }
 
 void Finish(const cli::TrainOptions& a, const model::Trainer& trainer) {
-  const auto [weights, scores] = Export(a, trainer);
+  auto [weights, scores] = Export(a, trainer);
+  if (scores.contains("plan")) scores["f_actions"] = ByAction(a, trainer.file(), weights);
   if (!a.bundle.empty()) model::BundleWeights(weights, a.bundle);
   if (a.report.talks()) TellEnd(a, trainer, scores, weights);
   cli::WriteReport(a.report, scores);

@@ -184,7 +184,7 @@ class FromStatus : public FromLog {
   static constexpr std::int8_t kSucceeded = action_status_t::STATE_SUCCEEDED;
 };
 
-TEST_F(FromStatus, ATrialIsTheSameAsWithLabels) {
+TEST_F(FromStatus, AnActionBeginsOnThePictureThatEndedTheOneBefore) {
   Write({Status(0, 0, action_status_t::STATE_IDLE), Status(0, 1, kRuns), Status(1, 1, kRuns),
          Status(2, 1, kSucceeded), Status(2, 1, kSucceeded),
          Status(2, 9, action_status_t::STATE_REFUSED), Status(2, 2, kRuns),
@@ -196,9 +196,9 @@ TEST_F(FromStatus, ATrialIsTheSameAsWithLabels) {
   EXPECT_FALSE(trial.simulated);
   EXPECT_EQ(trial.seed, 7u);
   EXPECT_EQ(trial.outcome, "success");  // a whole plan was carried out, and nobody judges it
-  EXPECT_EQ(trial.actions, (std::vector<int>{2, 0, 0, 1, 1}));
-  EXPECT_EQ(trial.prev_action, (std::vector<int>{2, 2, 2, 0, 0}));
-  EXPECT_EQ(trial.segment, (std::vector<int>{-1, 0, 0, 1, 1}));
+  EXPECT_EQ(trial.actions, (std::vector<int>{0, 0, 1, 1, 1}));
+  EXPECT_EQ(trial.prev_action, (std::vector<int>{2, 2, 0, 0, 0}));
+  EXPECT_EQ(trial.segment, (std::vector<int>{0, 0, 1, 1, 1}));
   EXPECT_EQ(trial.segment_succeeded, (std::vector<std::int8_t>{1, 1}));
   EXPECT_EQ(trial.rewards, (std::vector<float>{0, 0, 0, 0, 1}));
 }

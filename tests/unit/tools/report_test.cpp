@@ -36,6 +36,20 @@ TEST(Summarise, CountsEachEndingWithinItsClass) {
   EXPECT_NEAR(s["solved_over_oracle"].get<double>(), 0.5 / 0.9, 1e-12);
 }
 
+TEST(SummariseUnclassed, CountsAllScenesAndPairsRows) {
+  const std::vector<SceneRecord> scenes = {
+      Scene("", "solved", "failed", 0), Scene("", "solved", "solved", 0),
+      Scene("", "refused", "failed", 0), Scene("", "failed", "failed", 0)};
+  const nlohmann::json s = SummariseUnclassed(scenes, {"planner", "random"});
+  EXPECT_EQ(s["scenes"], 4);
+  EXPECT_DOUBLE_EQ(s["solved"], 0.5);
+  EXPECT_EQ(s["refused_count"], 1);
+  EXPECT_DOUBLE_EQ(s["random_solved"], 0.25);
+  EXPECT_DOUBLE_EQ(s["planner_minus_random"], 0.25);
+  EXPECT_LT(s["planner_minus_random_interval"][0].get<double>(), 0.25);
+  EXPECT_FALSE(s.contains("oracle_success"));
+}
+
 TEST(Summarise, LeavesOutScenesSolvedAtTheStart) {
   std::vector<SceneRecord> scenes = {Scene("solvable", "solved", "solved", 1.0),
                                      Scene("solvable", "failed", "failed", 1.0)};
