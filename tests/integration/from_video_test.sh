@@ -46,6 +46,6 @@ if command -v prospect-train >/dev/null; then
          "transform_hidden": {"iterations": 3, "batch": 2, "learning_rate": 0.001},
          "transform_image": {"iterations": 2, "batch": 2, "learning_rate": 0.001}}' >few.json
   takes '' prospect-train train --task suturing --data videos.h5 --config few.json --out run --threads 1 \
-    --stage encoder_decoder --stage transform_hidden
+    --stage encoder-decoder
 fi
 finish
