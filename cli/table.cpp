@@ -91,9 +91,14 @@ std::vector<Command> TrainCommands() {
                                {"sheet"}),
       Row<DatasetFromLogOptions>("dataset from-log", "a data set of recordings of the bus",
                                  "prospect-data", {"from-log"}),
-      Row<DatasetJigsawsOptions>("dataset jigsaws",
-                                 "a data set of JIGSAWS, or of videos in its layout",
-                                 "prospect-data", {"jigsaws"}),
+      Row<DatasetFromVideoOptions>(
+          "dataset from-video", "a data set of videos and of tables that say what is done in them",
+          "prospect-data", {"from-video"}),
+      Row<DatasetFromRobomimicOptions>("dataset from-robomimic",
+                                       "a data set of demonstrations in robomimic's layout",
+                                       "prospect-data", {"from-robomimic"}),
+      Row<DatasetExportOptions>("dataset export", "a data set as robomimic reads one",
+                                "prospect-data", {"export"}),
       Row<TrainOptions>("train", "train the networks", "prospect-train", {"train"}),
   };
 }

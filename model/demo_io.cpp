@@ -54,9 +54,9 @@ std::uint64_t SeedOfName(const std::string& name, const std::string& file) {
   return std::stoull(digits);
 }
 
-hdf5::Handle CreateImages(hid_t demo, const Trial& shape, hsize_t frames, hsize_t most,
-                          const std::string& file) {
-  hdf5::Handle obs = hdf5::CreateGroup(demo, "obs", file);
+hdf5::Handle CreateImages(hid_t demo, const char* group, const Trial& shape, hsize_t frames,
+                          hsize_t most, const std::string& file) {
+  hdf5::Handle obs = hdf5::CreateGroup(demo, group, file);
   const hsize_t dims[4] = {frames, Size(shape.height), Size(shape.width), 3};
   const hsize_t limits[4] = {most, dims[1], dims[2], 3};
   const hsize_t chunk[4] = {1, dims[1], dims[2], 3};
@@ -87,7 +87,7 @@ void WriteDemoLabels(hid_t demo, const Trial& trial, const std::string& file) {
 void WriteDemo(hid_t data, const Trial& trial, const std::string& file) {
   hdf5::Handle demo = hdf5::CreateGroup(data, DemoName(trial.seed), file);
   const hsize_t n = Size(trial.frames());
-  hdf5::Handle set = CreateImages(demo, trial, n, n, file);
+  hdf5::Handle set = CreateImages(demo, "obs", trial, n, n, file);
   hdf5::Check(H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, trial.images.data()),
               file, "cannot write the images; is the disk full?");
   WriteDemoLabels(demo, trial, file);

@@ -20,9 +20,10 @@ std::string DemoName(std::uint64_t seed);
 
 /// All of a trial but its images.
 void WriteDemoLabels(hid_t demo, const Trial& trial, const std::string& file);
-/// The data set of images, `frames` of them now and at most `most` (H5S_UNLIMITED: any number).
-hdf5::Handle CreateImages(hid_t demo, const Trial& shape, hsize_t frames, hsize_t most,
-                          const std::string& file);
+/// The data set of images in `group` ("obs"), which is made; `frames` of them now and at most
+/// `most` (H5S_UNLIMITED: any number).
+hdf5::Handle CreateImages(hid_t demo, const char* group, const Trial& shape, hsize_t frames,
+                          hsize_t most, const std::string& file);
 /// A trial with its images as a group of `data`.
 void WriteDemo(hid_t data, const Trial& trial, const std::string& file);
 /// What holds for all trials of a file.

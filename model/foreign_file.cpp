@@ -30,9 +30,13 @@ std::string Listed(const std::vector<std::string>& names) {
   return text.empty() ? "nothing" : text;
 }
 
-// "agentview_image 84x84" of each data set of pictures, [N,height,width,1, 3 or 4].
-std::vector<std::string> Cameras(hid_t demo, const std::string& path) {
-  std::vector<std::string> cameras;
+struct Camera {
+  std::string name;
+  hsize_t width = 0, height = 0;
+};
+
+std::vector<Camera> CamerasOf(hid_t demo, const std::string& path) {
+  std::vector<Camera> cameras;
   if (!Has(demo, "obs")) return cameras;
   const hdf5::Handle obs = hdf5::OpenGroup(demo, "obs", path);
   for (const std::string& name : hdf5::LinkNames(obs, path)) {
@@ -44,9 +48,18 @@ std::vector<std::string> Cameras(hid_t demo, const std::string& path) {
     if (H5Sget_simple_extent_ndims(space) != 4) continue;
     H5Sget_simple_extent_dims(space, dims, nullptr);
     if (dims[3] != 1 && dims[3] != 3 && dims[3] != 4) continue;
-    cameras.push_back(Shown(name) + " " + std::to_string(dims[2]) + "x" + std::to_string(dims[1]));
+    cameras.push_back({name, dims[2], dims[1]});
   }
   return cameras;
+}
+
+// "agentview_image 84x84" of each.
+std::vector<std::string> CameraWords(hid_t demo, const std::string& path) {
+  std::vector<std::string> words;
+  for (const Camera& camera : CamerasOf(demo, path))
+    words.push_back(Shown(camera.name) + " " + std::to_string(camera.width) + "x" +
+                    std::to_string(camera.height));
+  return words;
 }
 
 bool IsOurs(hid_t demo) {
@@ -55,16 +68,23 @@ bool IsOurs(hid_t demo) {
 }
 
 std::string Demonstrations(std::size_t count, hid_t demo, const std::string& path) {
-  const std::vector<std::string> cameras = Cameras(demo, path);
+  const std::vector<std::string> cameras = CameraWords(demo, path);
   return std::to_string(count) + (count == 1 ? " demonstration" : " demonstrations") +
          " in robomimic's layout, " +
          (cameras.empty() ? "without pictures of a camera" : "with the camera " + Listed(cameras)) +
          ", but not what we need beside them: which action each picture belongs to, and how each "
-         "trial ended. No command takes them as they are; ./prospect dataset from-log makes trials "
-         "from recordings of the bus";
+         "trial ended. ./prospect dataset from-robomimic makes a data set of them and of a table "
+         "that "
+         "says it";
 }
 
 }  // namespace
+
+std::vector<std::string> CameraNames(hid_t demo, const std::string& path) {
+  std::vector<std::string> names;
+  for (const Camera& camera : CamerasOf(demo, path)) names.push_back(camera.name);
+  return names;
+}
 
 std::string ForeignWords(hid_t file, const std::string& path) {
   if (!Has(file, "data")) {

@@ -65,7 +65,7 @@ void TrialSetWriter::Begin(const Trial& shape, int most_frames) {
   w.most_frames = most_frames;
   w.ReserveTrial();
   w.demo.emplace(hdf5::CreateGroup(*w.data, DemoName(shape.seed), w.path));
-  w.images.emplace(CreateImages(*w.demo, w.shape, 0, H5S_UNLIMITED, w.path));
+  w.images.emplace(CreateImages(*w.demo, "obs", w.shape, 0, H5S_UNLIMITED, w.path));
 }
 
 void TrialSetWriter::AddFrame(const std::uint8_t* rgb) {

@@ -20,14 +20,26 @@ sim::Image Enlarge(const sim::Image& image, int factor) {
   return large;
 }
 
-sim::Image Resized(const sim::Image& image, int width, int height) {
+namespace {
+
+sim::Image SizedBy(int way, const sim::Image& image, int width, int height) {
   const cv::Mat from(image.height, image.width, CV_8UC3,
                      const_cast<std::uint8_t*>(image.rgb.data()));
   sim::Image resized{width, height, {}};
   resized.rgb.resize(static_cast<std::size_t>(width) * height * 3);
   cv::Mat to(height, width, CV_8UC3, resized.rgb.data());
-  cv::resize(from, to, to.size(), 0, 0, cv::INTER_CUBIC);
+  cv::resize(from, to, to.size(), 0, 0, way);
   return resized;
+}
+
+}  // namespace
+
+sim::Image Resized(const sim::Image& image, int width, int height) {
+  return SizedBy(cv::INTER_CUBIC, image, width, height);
+}
+
+sim::Image Scaled(const sim::Image& image, int width, int height) {
+  return SizedBy(cv::INTER_AREA, image, width, height);
 }
 
 void Paste(const sim::Image& tile, int x, int y, sim::Image* canvas) {

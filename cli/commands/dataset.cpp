@@ -1,34 +1,45 @@
 #include "cli/commands/dataset.h"
 
 #include "cli/options/common.h"
+#include "cli/options/task.h"
 #include "cli/values.h"
 
 namespace prospect::cli {
 namespace {
 
-constexpr const char* kJigsawsHelp =
-    R"(Read are ROOT/TASK/transcriptions/NAME.txt (lines 'FIRST LAST Gk', frames from 1) and
-ROOT/TASK/video/NAME_capture1.avi, the left camera; kinematics/ and meta_file are not.
-NAME is TASK_XNNN: X the user, NNN the number; the trial's seed is 1000 * (X - 'A') + NNN.
-Pictures become 128x96. Gesture Gk is action k - 1, 15 is none.
+constexpr const char* kVideoHelp =
+    R"(DIR holds NAME.mp4 (avi, mkv, mov, webm) and NAME.csv for each trial: a row
+    start,end,action,succeeded[,cause]
+an action, times in seconds of the video, the action by its name in the task file or its number,
+succeeded 1 or 0; the first line may name the columns. Or it is a task's folder of JIGSAWS, as it
+is distributed: video/NAME_capture1.avi, the left camera, and transcriptions/NAME.txt, lines
+'FIRST LAST Gk', frames from 1. Pictures are scaled to the task's size.
 
-Frames before the first gesture and after the last are not used. A frame between two gestures
-belongs to the one before it. A gesture's goal picture is the frame on which the next one begins;
-the last gesture's is its own last frame.
+Frames before the first action (in a CSV: but one) and after the last are not used. A frame between
+two actions belongs to the one before it. An action's goal picture is the frame on which the next
+one begins; the last action's is its own last frame. A trial has succeeded if its last action has.
 
-A trial is left out, with a line that says why, when its video or transcription is missing or
-cannot be read, or when the transcription holds another gesture than G1 to G15, gestures out of
-order, or none. It is repaired, with a line a repair, when a gesture runs into the next one (it
-ends where that begins) and when the transcription goes beyond the video (it is cut there).
-The data set appears under its name when it is whole, and not at all if no trial can be used.)";
+A trial is repaired, with a line a repair that names file and line, when rows are out of order
+(they are sorted), when an action runs into the next one (it ends where that begins), and when the
+table goes beyond the video (it is cut there). It is left out, with a line that says why, when a
+file is missing or cannot be read, when a row means nothing (its frames would count as the action
+before), and when its actions all succeeded but are fewer than a plan has, where the task is
+planned. The data set appears under its name when it is whole, and not at all if no trial can be
+used.)";
+
+constexpr const char* kRobomimicHelp =
+    R"(Of FILE pictures and masks are read. The segments are a CSV, a row
+    demo,start,end,action,succeeded[,cause]
+an action, indices of pictures from 0, end included; dataset export writes such a table, too.
+Pictures that are kept are a tick of the task apart. What is repaired and left out: as in
+dataset from-video.)";
+
+constexpr const char* kExportHelp =
+    R"(Written are obs, actions (1 for the action that is done from a picture to the next), rewards,
+dones, num_samples, total, env_args and the masks train, valid and test.)";
 
 void DefineFile(CLI::App& app, std::string& file) {
   app.add_option("FILE", file, "the data set")->required();
-}
-
-std::string UserDefect(const std::string& user) {
-  const bool letter = user.size() == 1 && user[0] >= 'A' && user[0] <= 'Z';
-  return letter ? "" : "wants a letter, A to Z, not '" + user + "'";
 }
 
 }  // namespace
@@ -68,43 +79,49 @@ void Define(CLI::App& app, DatasetFromLogOptions& options) {
   DefineReport(app, options.report);
 }
 
-void Define(CLI::App& app, DatasetJigsawsOptions& options) {
-  app.footer(kJigsawsHelp);
-  app.add_option("--root", options.root, "folder that holds the task's folder")
-      ->type_name("DIR")
-      ->required();
-  app.add_option("--task", options.folder, "the task's folder")
-      ->type_name("NAME")
-      ->required()
-      ->check(OneOf({"Suturing", "Knot_Tying", "Needle_Passing"}));
+void Define(CLI::App& app, DatasetFromVideoOptions& options) {
+  app.footer(kVideoHelp);
+  app.add_option("DIR", options.folder, "folder of videos and tables")->required();
+  DefineTask(app, options.task, Tasks::kAll)->required();
   DefineOut(app, options.out, "the data set to write", "FILE")->required();
   app.add_option("--every", options.every,
-                 "keep one frame in so many, besides the first of each gesture and the last")
+                 "keep one frame in so many, besides the first of each action and the last")
+      ->type_name("N")
+      ->transform(Whole(1, 1000))
+      ->default_str("one a tick of the task");
+  app.add_option("--hold-out", options.held_out,
+                 "test on these: names, their ends, or beginnings with a star, such as B001,C_*")
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->default_str("a tenth, by a hash of names");
+  DefineQuiet(app, options.quiet);
+}
+
+void Define(CLI::App& app, DatasetFromRobomimicOptions& options) {
+  app.footer(kRobomimicHelp);
+  app.add_option("FILE", options.file, "demonstrations (HDF5)")->required();
+  DefineTask(app, options.task, Tasks::kAll)->required();
+  app.add_option("--segments", options.segments, "which actions ran when (CSV)")
+      ->type_name("FILE")
+      ->required();
+  DefineOut(app, options.out, "the data set to write", "FILE")->required();
+  app.add_option("--camera", options.camera, "whose pictures, where there are several")
+      ->type_name("NAME");
+  app.add_option("--every", options.every, "keep one picture in so many")
       ->type_name("N")
       ->transform(Whole(1, 1000))
       ->capture_default_str();
-  CLI::Option* trials = app.add_option("--hold-out", options.hold_out,
-                                       "so many trials are held out for the figures, by a hash of "
-                                       "their names")
-                            ->type_name("N")
-                            ->transform(Whole(0, 1000))
-                            ->capture_default_str();
-  CLI::Option* names = app.add_option("--hold-out-trials", options.hold_out_trials,
-                                      "these are held out instead, such as B001,C003")
-                           ->type_name("NAMES")
-                           ->delimiter(',')
-                           ->excludes(trials);
-  app.add_option("--hold-out-user", options.hold_out_user,
-                 "this user's are held out instead, such as B")
-      ->type_name("LETTER")
-      ->check(CLI::Validator(UserDefect, "A to Z"))
-      ->excludes(trials)
-      ->excludes(names);
-  app.add_option("--valid", options.valid,
-                 "so many of the others only choose between settings, by the same hash")
-      ->type_name("N")
-      ->transform(Whole(0, 1000))
-      ->capture_default_str();
+  DefineQuiet(app, options.quiet);
+}
+
+void Define(CLI::App& app, DatasetExportOptions& options) {
+  app.footer(kExportHelp);
+  DefineFile(app, options.file);
+  DefineOut(app, options.out, "the file to write (HDF5)", "FILE")->required();
+  app.add_flag("--next-obs", options.next_obs, "with each picture the one after it, too");
+  app.add_option("--segments", options.segments,
+                 "write a table, too, which actions ran when, as dataset from-robomimic takes it")
+      ->type_name("FILE");
   DefineQuiet(app, options.quiet);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,16 +38,33 @@ struct DatasetFromLogOptions {
   ReportOptions report;
 };
 
-/// Videos and transcriptions in the layout of JIGSAWS to a data set.
-struct DatasetJigsawsOptions {
-  std::string root;    ///< folder that holds the task's folder
-  std::string folder;  ///< the task's folder as distributed, such as "Suturing"
-  std::string out;     ///< the data set to write
-  int every = 10;      ///< one frame in so many is kept, besides each gesture's first and the last
-  int hold_out = 3;    ///< trials held out by a hash of their names, unless named or a user's
-  std::vector<std::string> hold_out_trials;  ///< these are held out instead, such as "B001"
-  std::string hold_out_user;                 ///< this user's are, such as "B"
-  int valid = 3;                             ///< so many of the others only choose between settings
+/// Videos, and tables of what is done in them, to a data set.
+struct DatasetFromVideoOptions {
+  std::string folder;        ///< of videos and tables
+  std::string task;          ///< NAME or FILE: whose actions they are
+  std::string out;           ///< the data set to write
+  std::optional<int> every;  ///< one frame in so many is kept; nothing: one a tick of the task
+  std::vector<std::string> held_out;  ///< trials to test on; empty: a tenth, by a hash of names
+  bool quiet = false;
+};
+
+/// Demonstrations in robomimic's layout to a data set.
+struct DatasetFromRobomimicOptions {
+  std::string file;      ///< demonstrations
+  std::string task;      ///< NAME or FILE: whose actions they are
+  std::string segments;  ///< CSV: which actions ran when
+  std::string camera;    ///< name of its pictures; empty: the only ones
+  std::string out;       ///< the data set to write
+  int every = 1;         ///< one picture in so many is kept
+  bool quiet = false;
+};
+
+/// A data set as robomimic reads one.
+struct DatasetExportOptions {
+  std::string file;       ///< the data set
+  std::string out;        ///< the file to write
+  bool next_obs = false;  ///< with each picture the one after it, too
+  std::string segments;   ///< CSV to write: which actions ran when; empty: none
   bool quiet = false;
 };
 
@@ -54,6 +72,8 @@ void Define(CLI::App& app, DatasetInfoOptions& options);
 void Define(CLI::App& app, DatasetPackOptions& options);
 void Define(CLI::App& app, DatasetSheetOptions& options);
 void Define(CLI::App& app, DatasetFromLogOptions& options);
-void Define(CLI::App& app, DatasetJigsawsOptions& options);
+void Define(CLI::App& app, DatasetFromVideoOptions& options);
+void Define(CLI::App& app, DatasetFromRobomimicOptions& options);
+void Define(CLI::App& app, DatasetExportOptions& options);
 
 }  // namespace prospect::cli

@@ -43,8 +43,7 @@ std::string WeightsThere(const std::string& wish, const std::string& task) {
   if (wish == "scripted") return wish;
   const std::string file = WeightsFile(wish, task);
   if (access(file.c_str(), R_OK) == 0) return file;
-  throw ExitError(kExitWeights,
-                  "no weights at " + file + ": " + Typed("train --task ") + task + " makes them");
+  throw ExitError(kExitWeights, "no weights at " + file + ": " + Typed("train") + " makes them");
 }
 
 Words SceneArguments(const SceneOptions& scene, const StartOptions& start,

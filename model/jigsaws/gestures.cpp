@@ -32,13 +32,6 @@ const char* GestureWords(int action) { return kWords.at(static_cast<std::size_t>
 
 std::string GestureName(int action) { return "G" + std::to_string(action + 1); }
 
-int GestureAction(const std::string& name) {
-  for (int action = 0; action < kGestures; ++action) {
-    if (name == GestureName(action)) return action;
-  }
-  return -1;
-}
-
 const std::vector<std::string>& TaskFolders() {
   static const std::vector<std::string> folders = {"Suturing", "Knot_Tying", "Needle_Passing"};
   return folders;

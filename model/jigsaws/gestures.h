@@ -16,8 +16,6 @@ inline constexpr int kWidth = 128, kHeight = 96;
 const char* GestureWords(int action);
 /// "G1" to "G15" of actions 0 to 14.
 std::string GestureName(int action);
-/// The action of "G1" to "G15"; -1 for anything else.
-int GestureAction(const std::string& name);
 
 /// The tasks as their folders are called: Suturing, Knot_Tying, Needle_Passing.
 const std::vector<std::string>& TaskFolders();

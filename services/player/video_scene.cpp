@@ -10,21 +10,21 @@
 namespace prospect::services {
 namespace {
 
-using model::jigsaws::GestureSpan;
 using model::jigsaws::kGestures;
+using model::segments::Span;
 
 constexpr int kLongestPlan = 32;      // of a TASK; a video may hold more gestures
 constexpr double kGestureLimit = 60;  // seconds that a gesture may take
 
 /// Index of the gesture that `frame` belongs to; -1 before the first.
-int SpanOf(const std::vector<GestureSpan>& spans, int frame) {
+int SpanOf(const std::vector<Span>& spans, int frame) {
   const auto later =
       std::upper_bound(spans.begin(), spans.end(), frame,
-                       [](int value, const GestureSpan& span) { return value < span.first; });
+                       [](int value, const Span& span) { return value < span.first; });
   return static_cast<int>(later - spans.begin()) - 1;
 }
 
-int ActionOf(const std::vector<GestureSpan>& spans, int index) {
+int ActionOf(const std::vector<Span>& spans, int index) {
   return index < 0 ? kGestures : spans[static_cast<std::size_t>(index)].action;
 }
 
@@ -57,19 +57,20 @@ task_t GestureTask(const std::string& name, double tick_seconds) {
 }
 
 VideoScene::VideoScene(const VideoChoice& choice, std::int64_t episode_id) : choice_(choice) {
-  if (!choice.transcription.empty()) {
-    transcription_ = model::jigsaws::ReadTranscription(choice.transcription);
-  }
   Restart(episode_id);
   seconds_per_frame_ = 1.0 / video_->frames_per_second();
   task_ = GestureTask(choice.task, seconds_per_frame_ * choice.every);
+  if (choice.transcription.empty()) return;
+  std::vector<std::string> names;
+  for (const action_t& action : task_.actions) names.push_back(action.name);
+  transcription_ = model::segments::ReadTranscription(choice.transcription, names);
 }
 
 VideoScene::~VideoScene() = default;
 
 void VideoScene::Restart(std::int64_t episode_id) {
   video_ = std::make_unique<report::VideoReader>(choice_.video);
-  at_ = 0;
+  at_ = -1;
   observation_ = observation_t{};
   observation_.episode_id = episode_id;
   observation_.frame = -1;
@@ -77,11 +78,11 @@ void VideoScene::Restart(std::int64_t episode_id) {
 }
 
 bool VideoScene::Shows(int frame) const {
-  if ((frame - 1) % choice_.every == 0) return true;
+  if (frame % choice_.every == 0) return true;
   if (!transcription_) return false;
   const auto& spans = transcription_->spans;
   return std::any_of(spans.begin(), spans.end(),
-                     [frame](const GestureSpan& span) { return span.first == frame; });
+                     [frame](const Span& span) { return span.first == frame; });
 }
 
 bool VideoScene::Next() {
@@ -97,7 +98,7 @@ bool VideoScene::Next() {
 void VideoScene::Describe(int frame) {
   observation_t& o = observation_;
   ++o.frame;
-  o.sim_time_us = std::llround(1e6 * seconds_per_frame_ * (frame - 1));
+  o.sim_time_us = std::llround(1e6 * seconds_per_frame_ * frame);
   o.encoding = observation_t::ENCODING_RGB8;
   o.width = task_.image_width;
   o.height = task_.image_height;

@@ -7,7 +7,7 @@
 
 #include "lcmtypes/messages.h"
 #include "model/jigsaws/gestures.h"
-#include "model/jigsaws/transcription.h"
+#include "model/segments/transcription.h"
 
 namespace prospect::report {
 class VideoReader;
@@ -51,10 +51,10 @@ class VideoScene {
   void Describe(int frame);
 
   VideoChoice choice_;
-  std::optional<model::jigsaws::Transcription> transcription_;
+  std::optional<model::segments::Segmentation> transcription_;
   std::unique_ptr<report::VideoReader> video_;
   double seconds_per_frame_ = 0;
-  int at_ = 0;  // frames of the video read so far
+  int at_ = -1;  // frame of the video that was read last, from 0
   task_t task_{};
   observation_t observation_{};
   std::optional<label_t> label_;

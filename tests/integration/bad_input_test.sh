@@ -56,13 +56,13 @@ for command in demo up run; do
   expect 2 "unknown task 'juggling'; known: navigation" "$root/prospect" $command --task juggling
   expect 2 '--workers wants a whole number' "$root/prospect" $command --workers many
 done
-for goal in 'on(red)' 'on(red' 'under(red,blue)' 'red on blue' ''; do
+for goal in 'on(red' 'on(r*,blue)' 'red under blue' 'red on blue' ''; do
   expect 2 'is no goal.*on\(red,blue\)' prospect-executive --goal "$goal"
   expect 2 'is no goal.*on\(red,blue\)' prospect-evaluate run --task navigation --weights "$good" --goal "$goal"
 done
 expect 2 'is no goal.*on\(red,blue\)' "$root/prospect" run --goal 'on(red'
 expect 3 "there is no 'unicorn' in this task; there are: .*barrel" prospect-evaluate run --task navigation --weights "$good" --goal 'visited(unicorn)'
-expect 3 'puts nothing on anything' prospect-evaluate run --task navigation --weights "$good" --goal 'on(barrel,pylon)'
+expect 3 "this task has no goal 'on'" prospect-evaluate run --task navigation --weights "$good" --goal 'on(barrel,pylon)'
 expect 2 "unknown option '--solvable'" prospect-evaluate calibrate --task navigation --weights "$good" --solvable 5
 expect 2 '--scenes wants a whole number from 1 to 10000' prospect-evaluate calibrate --task navigation --weights "$good" --scenes 20000
 expect 2 'calibration scenes are 1500000 to 1999999' prospect-evaluate calibrate --weights "$good" --seed 1999990 --scenes 20

@@ -77,7 +77,7 @@ class OddRobot {
 
   void SayTask() {
     task_t task{};
-    task.name = "navigation";
+    task.name = "made";
     task.task_hash = 4711;
     for (int i = 0; i < 4; ++i) {
       action_t action{};

@@ -7,7 +7,7 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 place=$work/place calls=$work/calls
 mkdir -p "$work/tools" "$place"
-cp -r "$1"/{prospect,scripts,packages.txt,config} "$place"
+cp -r "$1"/{prospect,scripts,packages.txt,config,tasks} "$place"
 unset PROSPECT_BUILD TESTS
 export CALLS=$calls SAYS=$work/says REAL=$2 PATH=$work/tools:$PATH
 

@@ -17,6 +17,8 @@ int RunPack(const cli::DatasetPackOptions& options);
 int RunSheet(const cli::DatasetSheetOptions& options);
 /// Throws tasks::TaskFileError where the file is bad.
 int RunTaskCheck(const cli::TaskCheckOptions& options);
-int RunJigsaws(const cli::DatasetJigsawsOptions& options);
+int RunExport(const cli::DatasetExportOptions& options);
+int RunFromVideo(const cli::DatasetFromVideoOptions& options);
+int RunFromRobomimic(const cli::DatasetFromRobomimicOptions& options);
 
 }  // namespace prospect::tools

@@ -16,11 +16,13 @@ int main(int argc, char** argv) {
       Carries("pack", "dataset pack", tools::RunPack),
       Carries("sheet", "dataset sheet", tools::RunSheet),
       Carries("task-check", "task check", tools::RunTaskCheck),
+      Carries("export", "dataset export", tools::RunExport),
 #ifdef PROSPECT_HAS_LOGS
       Carries("from-log", "dataset from-log", services::RunFromLog),
 #endif
 #ifdef PROSPECT_HAS_VIDEOS
-      Carries("jigsaws", "dataset jigsaws", tools::RunJigsaws),
+      Carries("from-video", "dataset from-video", tools::RunFromVideo),
+      Carries("from-robomimic", "dataset from-robomimic", tools::RunFromRobomimic),
 #endif
   };
   return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-data", kExitDisk);

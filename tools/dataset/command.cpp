@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/quiet.h"
 #include "cli/report_file.h"
 #include "model/dataset.h"
+#include "model/robomimic/export.h"
 #include "report/png.h"
 #include "tools/data/commands.h"
 #include "tools/dataset/apart.h"
@@ -61,6 +63,18 @@ int RunPack(const cli::DatasetPackOptions& options) {
     const std::size_t trials =
         model::PackTrialFiles(Expand(options.inputs), options.out, ChoiceOf(options));
     if (!base::Quiet()) std::printf("%zu trials in %s\n", trials, options.out.c_str());
+    return 0;
+  };
+  return RunApart(work, options.out);
+}
+
+int RunExport(const cli::DatasetExportOptions& options) {
+  const auto work = [&] {
+    const model::TrialFile trials(options.file);
+    model::robomimic::Export(trials, options.out, options.next_obs);
+    if (!options.segments.empty())
+      base::WriteFile(options.segments, model::robomimic::SegmentTable(trials));
+    if (!base::Quiet()) std::printf("%zu trials in %s\n", trials.size(), options.out.c_str());
     return 0;
   };
   return RunApart(work, options.out);

@@ -32,6 +32,7 @@ place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 mkdir -p "$place"/{bin,lib/prospect,share/prospect}
 cp "$prospect" "$place/bin"
+cp -r "$(dirname "$0")/../../../tasks" "$place/share/prospect"
 printf '#!/bin/sh\necho key=/there\n' >"$place/lib/prospect/prospect-supervisor"
 chmod +x "$place/lib/prospect/prospect-supervisor"
 grep -q '^usage: prospect run' <<<"$("$place/bin/prospect" run --help)" || fault 'the usage of an installed one'

@@ -260,7 +260,7 @@ TEST_F(DatasetTest, DemonstrationsOfRobomimicAreNamedAsSuch) {
                "6x4, robot0_eye_in_hand_image 6x4"),
       std::string::npos)
       << why;
-  EXPECT_NE(why.find("dataset from-log"), std::string::npos);
+  EXPECT_NE(why.find("dataset from-robomimic"), std::string::npos);
   WriteRobomimic(Path("low.h5"), false);
   EXPECT_NE(WhyRefused(Path("low.h5")).find("without pictures of a camera"), std::string::npos);
   EXPECT_THROW(PackTrialFiles({Path("r.h5")}, Path("out.h5")), DataError);

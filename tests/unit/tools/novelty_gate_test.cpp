@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/baseline_plans.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
@@ -52,7 +53,7 @@ class Bold : public LocalMind {
  private:
   agent::SearchAnswer Find(const agent::SearchQuestion&) override {
     agent::SearchAnswer answer;
-    answer.plan = PlanOf({static_cast<std::uint8_t>(task_->LegalActions().at(0))}, "");
+    answer.plan = planner::PlanOf({static_cast<std::uint8_t>(task_->LegalActions().at(0))}, "");
     return answer;
   }
 

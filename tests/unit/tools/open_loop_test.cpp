@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "planner/baseline_plans.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/episode.h"
@@ -20,7 +21,7 @@ class Counting : public LocalMind {
     ++*asked_;
     const std::vector<int> legal = task_->LegalActions();
     agent::SearchAnswer answer;
-    answer.plan = PlanOf(planner::Path(legal.begin(), legal.begin() + length_), "no plan");
+    answer.plan = planner::PlanOf(planner::Path(legal.begin(), legal.begin() + length_), "no plan");
     return answer;
   }
 

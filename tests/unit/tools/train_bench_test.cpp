@@ -11,6 +11,7 @@
 
 #include "model/dataset.h"
 #include "sim/task_factory.h"
+#include "tasks/task_file.h"
 #include "tests/unit/model/test_folder.h"
 #include "tools/bench/multiply_adds.h"
 #include "tools/bench/random_trials.h"
@@ -123,7 +124,7 @@ TEST(TrainBench, AnUnknownTaskOrPrecisionIsRefused) {
   EXPECT_THROW(BenchTraining(options), std::invalid_argument);
   options.precision = "float32";
   options.task = "juggling";
-  EXPECT_THROW(BenchTraining(options), std::invalid_argument);
+  EXPECT_THROW(BenchTraining(options), tasks::TaskFileError);
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "model/dataset.h"
 #include "report/video_writer.h"
 #include "tests/unit/model/test_folder.h"
-#include "tools/jigsaws/converter.h"
+#include "tools/recordings/from_video.h"
 
 namespace prospect::tools {
 namespace {
@@ -16,18 +17,30 @@ namespace fs = std::filesystem;
 
 constexpr int kFrames = 40;
 
-class JigsawsConvertTest : public ::testing::Test {
+using Names = std::set<std::string>;
+
+Names NamesOf(const model::TrialFile& file) {
+  Names names;
+  for (std::size_t i = 0; i < file.size(); ++i) names.insert(file.ReadLabels(i).name);
+  return names;
+}
+
+std::size_t IndexOf(const model::TrialFile& file, const std::string& name) {
+  std::size_t i = 0;
+  while (file.ReadLabels(i).name != name) ++i;
+  return i;
+}
+
+class FromJigsaws : public ::testing::Test {
  protected:
-  JigsawsConvertTest() {
+  FromJigsaws() {
     fs::create_directories(Folder("transcriptions"));
     fs::create_directories(Folder("video"));
     fs::create_directories(Folder("kinematics/AllGestures"));
     std::ofstream(Folder("meta_file_Suturing.txt")) << "Suturing_B001\tN\t13\n";
-    options_.root = folder_.path().string();
-    options_.folder = "Suturing";
+    options_.folder = folder_ / "Suturing";
     options_.out = folder_ / "out.h5";
     options_.every = 5;
-    options_.hold_out = {1, {}, 0, 1};
   }
   std::string Folder(const std::string& name) const { return folder_ / ("Suturing/" + name); }
 
@@ -52,10 +65,11 @@ class JigsawsConvertTest : public ::testing::Test {
     Transcribe(name, "3 12 G1\n15 22 G2\n23 37 G6\n");
     Film(name);
   }
-  JigsawsReport Convert() {
+  ConversionReport Convert() {
     said_.clear();
-    return ConvertJigsaws(
-        options_, [this](const std::string& line) { said_ += line + "\n"; }, &stop_);
+    const auto say = [this](const std::string& line) { said_ += line + "\n"; };
+    return FromVideo(tasks::ReadTaskFile(PROSPECT_ROOT "/tasks/suturing.yaml"), options_, say,
+                     &stop_);
   }
   /// Files of the folder beside the task's.
   int FilesBeside() const {
@@ -67,21 +81,21 @@ class JigsawsConvertTest : public ::testing::Test {
   }
 
   model::TestFolder folder_;
-  JigsawsOptions options_;
+  FromVideoOptions options_;
   std::atomic<bool> stop_{false};
   std::string said_;
 };
 
-TEST_F(JigsawsConvertTest, WholeTrials) {
+TEST_F(FromJigsaws, WholeTrials) {
   for (const char* name : {"Suturing_B001", "Suturing_B002", "Suturing_C001"}) Whole(name);
   std::ofstream(Folder("video/Suturing_B001_capture2.avi")) << "the right camera is not read";
-  const JigsawsReport report = Convert();
+  const ConversionReport report = Convert();
   EXPECT_EQ(said_, "");
   EXPECT_EQ(report.trials, 3U);
   EXPECT_EQ(report.left_out + report.repaired, 0U);
   const model::TrialFile file(options_.out);
-  ASSERT_EQ(file.seeds(), (std::vector<std::uint64_t>{1001, 1002, 2001}));
-  const model::Trial trial = file.Read(0);
+  EXPECT_EQ(NamesOf(file), (Names{"Suturing_B001", "Suturing_B002", "Suturing_C001"}));
+  const model::Trial trial = file.Read(IndexOf(file, "Suturing_B001"));
   EXPECT_EQ(trial.name, "Suturing_B001");
   EXPECT_EQ(trial.task, "suturing");
   EXPECT_EQ(trial.width, 128);
@@ -105,21 +119,21 @@ TEST_F(JigsawsConvertTest, WholeTrials) {
   EXPECT_EQ(FilesBeside(), 1);
 }
 
-TEST_F(JigsawsConvertTest, AUserIsHeldOut) {
+TEST_F(FromJigsaws, AUserIsHeldOut) {
   for (const char* name : {"Suturing_B001", "Suturing_C001", "Suturing_C002"}) Whole(name);
-  options_.hold_out = {3, {}, 'C', 0};
+  options_.held_out = {"Suturing_C*"};
   Convert();
   const model::TrialFile file(options_.out);
-  EXPECT_EQ(file.part(0), model::Split::kTrain);
-  EXPECT_EQ(file.part(1), model::Split::kTest);
-  EXPECT_EQ(file.part(2), model::Split::kTest);
-  options_.hold_out = {3, {"D001"}, 0, 0};
+  EXPECT_NE(file.part(IndexOf(file, "Suturing_B001")), model::Split::kTest);
+  EXPECT_EQ(file.part(IndexOf(file, "Suturing_C001")), model::Split::kTest);
+  EXPECT_EQ(file.part(IndexOf(file, "Suturing_C002")), model::Split::kTest);
+  options_.held_out = {"D001"};
   options_.out = folder_ / "next.h5";
   EXPECT_THROW(Convert(), std::invalid_argument);
   EXPECT_FALSE(fs::exists(options_.out));
 }
 
-TEST_F(JigsawsConvertTest, EachFaultIsALine) {
+TEST_F(FromJigsaws, EachFaultIsALine) {
   Whole("Suturing_B001");
   Whole("Suturing_B002");
   Whole("Suturing_B003");
@@ -134,50 +148,48 @@ TEST_F(JigsawsConvertTest, EachFaultIsALine) {
   Whole("Suturing_D001");
   Transcribe("Suturing_D001", "1 30 G1\n21 60 G2\n70 80 G3\n");  // overlaps, and goes beyond
   Whole("Suturing_D1");
-  const JigsawsReport report = Convert();
-  EXPECT_EQ(report.trials, 4U);
-  EXPECT_EQ(report.left_out, 6U);
+  const ConversionReport report = Convert();
+  EXPECT_EQ(report.trials, 5U);
+  EXPECT_EQ(report.left_out, 5U);
   EXPECT_EQ(report.repaired, 1U);
-  EXPECT_EQ(std::count(said_.begin(), said_.end(), '\n'), 8) << said_;
+  EXPECT_EQ(std::count(said_.begin(), said_.end(), '\n'), 7) << said_;
   for (const char* line :
        {"Suturing_C001: left out: ", "Suturing_C001_capture1.avi: is missing",
         "Suturing_C002: left out: ", "Suturing_C002.txt: is missing", "Suturing_C003: left out: ",
-        "unknown gesture 'G77'", "Suturing_C004: left out: ", "is no video",
-        "Suturing_C005: left out: ", "ends before its first gesture",
-        "Suturing_D001: repaired: line 2: overlaps the gesture before by 10 frames",
-        "Suturing_D001: repaired: goes 40 frames beyond the video's 40; cut there, 1 gestures",
-        "Suturing_D1: left out: "}) {
+        "there is no action 'G77'", "Suturing_C004: left out: ", "is no video",
+        "Suturing_C005: left out: ", "ends before its first action",
+        "line 2: overlaps the action before by 10 frames",
+        "goes 40 frames beyond the recording's 40; cut there, actions left out: 1"}) {
     EXPECT_NE(said_.find(line), std::string::npos) << line << " is not in\n" << said_;
   }
   const model::TrialFile file(options_.out);
-  EXPECT_EQ(file.seeds(), (std::vector<std::uint64_t>{1001, 1002, 1003, 3001}));
-  const model::Trial repaired = file.Read(3);
+  EXPECT_EQ(NamesOf(file), (Names{"Suturing_B001", "Suturing_B002", "Suturing_B003",
+                                  "Suturing_D001", "Suturing_D1"}));
+  const model::Trial repaired = file.Read(IndexOf(file, "Suturing_D001"));
   EXPECT_EQ(repaired.actions, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
 }
 
-TEST_F(JigsawsConvertTest, AVideoThatBreaksOffCutsTheTranscription) {
+TEST_F(FromJigsaws, AVideoThatBreaksOffCutsTheTranscription) {
   for (const char* name : {"Suturing_B001", "Suturing_B002", "Suturing_B003"}) Whole(name);
   const std::string video = Folder("video/Suturing_B002_capture1.avi");
   fs::resize_file(video, fs::file_size(video) / 2);
-  const JigsawsReport report = Convert();
+  const ConversionReport report = Convert();
   EXPECT_EQ(report.trials + report.left_out, 3U);
   EXPECT_EQ(report.repaired + report.left_out, 1U) << said_;
   EXPECT_NE(said_.find("Suturing_B002: "), std::string::npos) << said_;
 }
 
-TEST_F(JigsawsConvertTest, NothingRemainsWhereNothingCanBeUsed) {
+TEST_F(FromJigsaws, NothingRemainsWhereNothingCanBeUsed) {
   EXPECT_THROW(Convert(), model::DataError) << "empty";
-  options_.hold_out = {0, {}, 0, 0};
   Transcribe("Suturing_B001", "1 9 G1\n");
   EXPECT_THROW(Convert(), model::DataError);
   EXPECT_EQ(FilesBeside(), 0);
-  options_.root = folder_ / "none";
+  options_.folder = folder_ / "none";
   EXPECT_THROW(Convert(), model::DataError);
 }
 
-TEST_F(JigsawsConvertTest, WhenToldToStopNothingRemains) {
+TEST_F(FromJigsaws, WhenToldToStopNothingRemains) {
   Whole("Suturing_B001");
-  options_.hold_out = {0, {}, 0, 0};
   stop_ = true;
   EXPECT_THROW(Convert(), Interrupted);
   EXPECT_EQ(FilesBeside(), 0);
