@@ -101,6 +101,11 @@ void TellEnd(const cli::TrainOptions& a, const model::Trainer& trainer,
               trainer.weights_folder().c_str());
   std::printf("Every score: ./prospect train --task %s --data %s --out %s --score %s\n", task,
               a.data.c_str(), a.out.c_str(), weights.c_str());
+  if (scores.contains("plan") && !cli::TaskOf(a.task).simulator) {
+    std::printf("Next: ./prospect evaluate calibrate --task %s --weights %s --data %s\n", task,
+                weights.c_str(), a.data.c_str());
+    return;
+  }
   const char* next = scores.contains("plan") ? "evaluate" : "figures";  // it takes heads to plan
   std::printf("Next: ./prospect %s --task %s --weights %s\n", next, task, weights.c_str());
 }
