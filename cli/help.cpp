@@ -111,7 +111,8 @@ std::string Overview(const std::vector<Command>& commands) {
 }
 
 std::string HelpOf(const CLI::App& app) {
-  std::string usage = "usage: " + app.get_name();
+  const std::string before = "usage: ";
+  std::string usage = app.get_name();
   for (const CLI::Option* option : app.get_options(IsShown)) {
     if (option->nonpositional()) {
       if (option->get_required()) usage += " " + Spelling(*option);
@@ -123,7 +124,8 @@ std::string HelpOf(const CLI::App& app) {
   }
   std::string summary = app.get_description();
   if (!summary.empty()) summary[0] = static_cast<char>(std::toupper(summary[0]));
-  std::string text = usage + " [OPTION...]\n\n" + Wrapped(summary, 0) + ".\n";
+  std::string text = before + Wrapped(usage + " [OPTION...]", before.size()) + "\n\n" +
+                     Wrapped(summary, 0) + ".\n";
   constexpr std::size_t kColumn = 26;
   for (const std::string& group : app.get_groups()) {
     if (group.empty()) continue;
