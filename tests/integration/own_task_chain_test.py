@@ -17,8 +17,8 @@ import world
 BIN, ROBOT, TASK = sys.argv[1:4]
 TRIALS, SCENES, FIRST_SCENE = 1500, 60, 2000000
 ITERATIONS = 1000  # of T, the other networks in proportion: not minutes, so that a busy machine only takes longer
-FAILED = 0.2  # share of what is attempted that may fail: of so few trials no smaller one can be promised
 ROLLOUTS = "100"  # of 12 actions eight may begin a plan: with fewer some plans are not followed to their end
+REFUSED = 0.2  # share of plans that work that may be refused: of so few trials no smaller one can be promised
 
 
 def hopeless(seed):
@@ -83,9 +83,9 @@ class Chain(unittest.TestCase):
         self.assertIn("whole plans, V times f", words)
         weights = self.path("weights/sorting.safetensors")
         report, words = self.report("prospect-evaluate", "calibrate", "--task", TASK, "--weights", weights, "--data", data,
-                                    "--fail-at-most", str(FAILED))
+                                    "--refuse-at-most", str(REFUSED))
         self.assertGreater(report["plan"]["area_under_roc"], 0.7, words)
-        self.assertIn("of what is attempted", words)
+        self.assertIn("of what can be done", words)
         return weights
 
     def judge(self, weights):
@@ -110,7 +110,8 @@ class Chain(unittest.TestCase):
         self.assertEqual(len(report["records"]), SCENES)
         self.assertLessEqual(share(solvable, "random", "solved"), 0.45, words)
         self.assertGreaterEqual(share(lost, "planner", "refused"), 0.7, words)
-        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.8, words)
+        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.5, words)
+        self.assertGreater(report["planner_minus_random_interval"][0], 0, words)
         # Asked again it runs nothing again.
         again, _ = self.report("prospect-evaluate", "on-bus", "--seed", str(FIRST_SCENE), "--episodes", str(SCENES),
                                "--samples", ROLLOUTS, "--rows", "planner,random", "--out", self.path("loop"))
