@@ -20,7 +20,7 @@ namespace prospect::agent {
 
 /// The networks by which a mind judges.
 struct MindInfo {
-  std::string engine;            ///< "torch"
+  std::string engine;            ///< "native avx512", "scripted"
   std::string weights;           ///< hash, 16 hexadecimal digits; empty: there are none
   double refusal_threshold = 0;  ///< the weights' own: plans that score less are to be refused
 };

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "base/hash.h"
-#include "model/calibration.h"
 #include "model/engine.h"
+#include "model/engine_facts.h"
 #include "model/inference/networks.h"
 #include "model/inference/painting.h"
 #include "model/row_pool.h"
@@ -85,24 +85,6 @@ class RootMemory {
   std::list<Root> roots_;  // last used first
 };
 
-EngineInfo InfoOf(const WeightsFile& file, const std::string& path,
-                  const inference::Networks& networks, const std::string& engine) {
-  const NetworkConfig& config = networks.config();
-  const Calibration calibration = CalibrationOf(file, path);
-  EngineInfo info;
-  info.judges = networks.judges();
-  info.engine = info.judges ? engine : engine + ", pictures only";
-  info.task = file.metadata.value("task", "");
-  info.task_hash = file.metadata.value("task_hash", "");
-  info.num_actions = config.num_actions;
-  info.image_width = config.image_width;
-  info.image_height = config.image_height;
-  info.hidden_size = config.hidden_size();
-  info.refusal_threshold = calibration.refusal_threshold;
-  info.calibration = calibration.sample;
-  return info;
-}
-
 /// The networks by our own kernels, in 32-bit floats. Rows are spread over threads in groups; each
 /// row is computed as if it were alone.
 class NativeEngine : public Engine {
@@ -115,8 +97,9 @@ class NativeEngine : public Engine {
         threads_(static_cast<std::size_t>(std::max(1, threads))),
         pool_(static_cast<int>(threads_), [] {}) {
     const std::string name = std::string("native ") + kernels.name;
-    info_ = InfoOf(file, path, networks_, name);
-    fingerprint_ = base::HashText(name, Probe());
+    info_ = InfoOf(file, path, networks_.config(),
+                   networks_.judges() ? name : name + ", pictures only", networks_.judges());
+    fingerprint_ = base::HashText(name, HashOfProbe(*this));
   }
 
   const EngineInfo& info() const override { return info_; }
@@ -252,20 +235,6 @@ class NativeEngine : public Engine {
       inference::ToBytes(decoded, PictureSize(), pictures[i].data());
     });
     return pictures;
-  }
-
-  /// The fixed question of fingerprint(): a gradient picture, the first action.
-  std::uint64_t Probe() {
-    std::vector<std::uint8_t> picture(PictureSize());
-    for (std::size_t i = 0; i < picture.size(); ++i)
-      picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
-    const Hidden h0 = Encode(picture);
-    const Prediction answer = Expand({{h0, h0, 0}}).front();
-    std::uint64_t hash = base::HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
-    hash = base::HashBytes(&answer.value, sizeof(float), hash);
-    hash = base::HashBytes(&answer.done, sizeof(float), hash);
-    hash = base::HashBytes(answer.q.data(), answer.q.size() * sizeof(float), hash);
-    return base::HashBytes(answer.p.data(), answer.p.size() * sizeof(float), hash);
   }
 
   inference::Networks networks_;

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/hash.h"
-#include "model/calibration.h"
 #include "model/engine.h"
+#include "model/engine_facts.h"
 #include "model/networks/libtorch.h"
 #include "model/networks/light.h"
 #include "model/networks/networks.h"
@@ -17,19 +17,6 @@ namespace prospect::model {
 namespace {
 
 using nlohmann::json;
-
-EngineInfo InfoOf(const WeightsFile& file, const NetworkConfig& config) {
-  EngineInfo info;
-  info.judges = HasModule(file, "value") || HasModule(file, "q");
-  info.engine = "torch";
-  info.task = file.metadata.value("task", "");
-  info.task_hash = file.metadata.value("task_hash", "");
-  info.num_actions = config.num_actions;
-  info.image_width = config.image_width;
-  info.image_height = config.image_height;
-  info.hidden_size = config.hidden_size();
-  return info;
-}
 
 std::vector<float> ToVector(const torch::Tensor& tensor) {
   const torch::Tensor flat = tensor.contiguous();
@@ -99,26 +86,20 @@ class TorchEngine : public Engine {
  private:
   TorchEngine(const WeightsFile& file, const std::string& path, int threads)
       : networks_(NetworkConfigOf(file, path)),
-        info_(InfoOf(file, networks_.config)),
         weights_hash_(file.hash),
         compose_(file.metadata.value("train", nlohmann::json::object()).value("compose", true)),
         pool_(std::max(1, threads), [] { at::set_num_threads(1); }) {
     at::set_num_threads(1);  // rows are the parallelism
     networks_.has_classifier = HasModule(file, "classifier");
     networks_.has_second_classifier = HasModule(file, "second_classifier");
-    networks_.has_heads = info_.judges;
+    networks_.has_heads = HasModule(file, "value") || HasModule(file, "q");
     for (const auto& [prefix, module] : networks_.named()) {
       if (networks_.Has(prefix)) LoadModule(file, path, prefix, module);
     }
     networks_.SetTraining(false);
-    fingerprint_ = Probe();
-    TakeCalibration(file, path);  // last: what is wrong with the networks is the better message
-  }
-
-  void TakeCalibration(const WeightsFile& file, const std::string& path) {
-    const Calibration calibration = CalibrationOf(file, path);
-    info_.refusal_threshold = calibration.refusal_threshold;
-    info_.calibration = calibration.sample;
+    // Last: what is wrong with the networks is the better message.
+    info_ = InfoOf(file, path, networks_.config, "torch", networks_.has_heads);
+    fingerprint_ = HashOfProbe(*this);
   }
 
   /// Decodes states, each finished by `finish`, into bytes.
@@ -173,20 +154,6 @@ class TorchEngine : public Engine {
     answer.q = ToVector(torch::sigmoid(networks_.q->forward(h0, h, a)));
     answer.p = ToVector(torch::sigmoid(networks_.p->forward(h0, h, a)));
     return answer;
-  }
-
-  /// The fixed question of fingerprint(): a gradient picture, the first action.
-  std::uint64_t Probe() {
-    std::vector<std::uint8_t> picture(static_cast<std::size_t>(networks_.config.image_bytes()));
-    for (std::size_t i = 0; i < picture.size(); ++i)
-      picture[i] = static_cast<std::uint8_t>(i * 7 / 64);
-    const Hidden h0 = DoEncode(picture);
-    const Prediction answer = DoExpand({{h0, h0, 0}}).front();
-    std::uint64_t hash = base::HashBytes(answer.h.data(), answer.h.size() * sizeof(float));
-    hash = base::HashBytes(&answer.value, sizeof(float), hash);
-    hash = base::HashBytes(&answer.done, sizeof(float), hash);
-    hash = base::HashBytes(answer.q.data(), answer.q.size() * sizeof(float), hash);
-    return base::HashBytes(answer.p.data(), answer.p.size() * sizeof(float), hash);
   }
 
   Networks networks_;

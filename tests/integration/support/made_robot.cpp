@@ -20,6 +20,7 @@
 #include "services/common/ids.h"
 #include "services/common/robot_hold.h"
 #include "services/common/signals.h"
+#include "services/simulator/scene.h"
 #include "tasks/task_file.h"
 #include "tools/bench/random_trials.h"
 
@@ -36,30 +37,10 @@ struct Options {
 };
 
 task_t TaskOf(const Options& options) {
-  const tasks::TaskFile file = tasks::ReadTaskFile(options.file);
-  const sim::TaskSpec& spec = file.spec;
-  task_t task{};
-  task.name = spec.name;
-  task.world_version = "made";
-  for (const sim::ActionSpec& action : spec.actions) {
-    action_t row{action.index, action.name, action.kind, action.object, 0, {}};
-    const auto& next = spec.successors[static_cast<std::size_t>(action.index)];
-    row.successors.assign(next.begin(), next.end());
-    row.num_successors = static_cast<std::int32_t>(next.size());
-    task.actions.push_back(row);
-  }
-  task.num_actions = static_cast<std::int32_t>(task.actions.size());
-  task.initial.assign(spec.successors.back().begin(), spec.successors.back().end());
-  task.num_initial = static_cast<std::int32_t>(task.initial.size());
-  task.plan_length = options.plan_length > 0 ? options.plan_length : spec.plan_length;
-  task.repeats_allowed = spec.repeats_allowed ? 1 : 0;
-  task.image_width = spec.image_width;
-  task.image_height = spec.image_height;
-  task.tick_seconds = spec.tick_seconds;
-  task.action_time_limit = spec.action_time_limit;
-  for (const sim::CauseSpec& cause : spec.causes) task.causes.push_back({cause.name, cause.words});
-  task.num_causes = static_cast<std::int32_t>(task.causes.size());
-  return task;
+  sim::TaskSpec spec = tasks::ReadTaskFile(options.file).spec;
+  spec.world_version = "made";
+  if (options.plan_length > 0) spec.plan_length = options.plan_length;
+  return MakeTaskMessage(spec);
 }
 
 class MadeRobot {

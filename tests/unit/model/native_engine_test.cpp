@@ -10,17 +10,11 @@
 
 #include "model/networks/networks.h"
 #include "model/weights.h"
+#include "tests/unit/model/small_config.h"
 #include "tests/unit/model/test_folder.h"
 
 namespace prospect::model {
 namespace {
-
-NetworkConfig Small() {
-  NetworkConfig config;
-  config.image_width = config.image_height = 32;
-  config.num_actions = 3;
-  return config;
-}
 
 /// A weights file of random numbers, biases, scales and modulations among them.
 class MadeWeights {
@@ -114,7 +108,7 @@ struct Case {
 class NativeEngineAgrees : public testing::TestWithParam<Case> {};
 
 TEST_P(NativeEngineAgrees, WithTheNetworksInLibtorch) {
-  NetworkConfig config = Small();
+  NetworkConfig config = SmallConfig();
   GetParam().change(&config);
   const MadeWeights weights(config);
   const auto reference = LoadTorchEngine(weights.path, 1);
@@ -153,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Options, NativeEngineAgrees, testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(NativeEngine, PicturesOnlyIsSaidAndAnsweredWithZeros) {
-  const MadeWeights weights(Small(), /*heads=*/false);
+  const MadeWeights weights(SmallConfig(), /*heads=*/false);
   const auto engine = LoadEngine(weights.path, 1);
   EXPECT_FALSE(engine->info().judges);
   ExpectAgreement(*LoadTorchEngine(weights.path, 1), *engine);
@@ -162,7 +156,7 @@ TEST(NativeEngine, PicturesOnlyIsSaidAndAnsweredWithZeros) {
 
 // The promise that everything else rests on: what a row is asked with does not change its answer.
 TEST(NativeEngine, ARowDoesNotDependOnItsBatchThreadsOrHistory) {
-  NetworkConfig config = Small();
+  NetworkConfig config = SmallConfig();
   config.num_actions = 6;
   config.transform_action = "scale_and_shift";
   const MadeWeights weights(config);
@@ -205,7 +199,7 @@ TEST(NativeEngine, ARowDoesNotDependOnItsBatchThreadsOrHistory) {
 }
 
 TEST(NativeEngine, FingerprintsTellInstructionSetsApart) {
-  const MadeWeights weights(Small());
+  const MadeWeights weights(SmallConfig());
   std::set<std::uint64_t> fingerprints;
   for (const inference::Kernels* kernels : inference::RunnableKernels()) {
     const auto engine = LoadNativeEngine(weights.path, 1, *kernels);

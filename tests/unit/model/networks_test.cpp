@@ -11,17 +11,11 @@
 #include "model/networks/blocks.h"
 #include "model/networks/precision.h"
 #include "model/weights.h"
+#include "tests/unit/model/small_config.h"
 #include "tests/unit/model/test_folder.h"
 
 namespace prospect::model {
 namespace {
-
-NetworkConfig SmallConfig() {
-  NetworkConfig config;
-  config.image_width = config.image_height = 32;
-  config.num_actions = 3;
-  return config;
-}
 
 TEST(Networks, HaveThePapersShapes) {
   const torch::NoGradGuard no_grad;
