@@ -141,7 +141,9 @@ class MadeRobot {
     o.encoding = observation_t::ENCODING_RGB8;
     o.width = task_.image_width;
     o.height = task_.image_height;
-    o.data.assign(static_cast<std::size_t>(o.width * o.height * 3), 120);
+    o.data.assign(
+        std::size_t{3} * static_cast<std::size_t>(o.width) * static_cast<std::size_t>(o.height),
+        120);
     for (const int action : done_) Fill(&o, 12 * action + 4, 200);
     if (Running()) Fill(&o, 12 * status_.action + 4, static_cast<std::uint8_t>(40 + 10 * left_));
     o.num_bytes = static_cast<std::int32_t>(o.data.size());
@@ -150,7 +152,7 @@ class MadeRobot {
 
   // A bar across the picture, as far as it reaches.
   static void Fill(observation_t* o, int row, std::uint8_t shade) {
-    const auto line = static_cast<std::size_t>(o->width * 3);
+    const auto line = std::size_t{3} * static_cast<std::size_t>(o->width);
     const std::size_t begin = static_cast<std::size_t>(row % o->height) * line;
     std::fill_n(o->data.begin() + static_cast<std::ptrdiff_t>(begin), line, shade);
   }
