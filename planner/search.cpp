@@ -92,6 +92,7 @@ Delivery Search::Deliver(const Path& path, const Evaluation& evaluation,
   SetPending(id, Pending::kNo, 0);
   NoteEnded(id, foreign_.Answer(id));
   UpdateExhausted(id);
+  UpdateOpen(id);
   if (stored == Stored::kNew) return Delivery::kNew;
   return stored == Stored::kReplaced ? Delivery::kReplaced : Delivery::kDuplicate;
 }
@@ -239,6 +240,7 @@ void Search::SetPending(PathId id, Pending pending, std::int64_t now_us) {
   Node& node = NodeOf(id);
   node.pending = pending;
   node.pending_since_us = now_us;
+  UpdateOpen(id);
 }
 
 StatisticsBatch Search::MakeBatch(std::size_t byte_budget, std::int64_t now_us) {

@@ -136,6 +136,7 @@ class Search {
 
   struct Node {
     std::int64_t pending_since_us = 0;
+    double open = 0;                  // ChildView::open; kept where the rule asks for it
     std::int32_t first_allowed = -1;  // into allowed_, once known
     std::uint8_t num_allowed = 0;
     Pending pending = Pending::kNo;
@@ -166,6 +167,12 @@ class Search {
   void UpdateExhausted(PathId id);
   bool Exhausted(PathId id) const;
   bool NowExhausted(PathId id);
+
+  // What is open: search_open.cpp.
+  double Reach(PathId id) const;
+  double OpenChild(double reach, const ChildEntry& entry) const;
+  double OpenBelow(PathId id);
+  void UpdateOpen(PathId id);
 
   // Many rollouts: search.cpp.
   int ResumeRollouts(std::int64_t now_us, std::vector<Path>* requests);

@@ -12,9 +12,19 @@ void Require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("search parameters: ") + what);
 }
 
+constexpr double kCertainFailure = 0.01;
+
 bool InUnit(double x) { return x >= 0 && x <= 1; }
 
 }  // namespace
+
+void SearchParameters::UseRule(const std::string& name) {
+  const SearchParameters defaults;
+  const bool uncut = MakeSelectionRule(name, c, c_puct)->asks_for_open();
+  rule = name;
+  c_done = uncut ? kCertainFailure : defaults.c_done;
+  v_failed = uncut ? 0 : defaults.v_failed;
+}
 
 void SearchParameters::Validate() const {
   Require(c > 0 && c < 1e6, "c must be above 0 and below 1e6");

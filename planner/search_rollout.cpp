@@ -107,11 +107,14 @@ ParentView Search::ViewOf(PathId id, const ChildLists::List& list) const {
 void Search::ViewChildren(PathId id, ChildEntry* entries, int count) {
   if (static_cast<int>(views_.size()) < count) views_.resize(count), scores_.resize(count);
   const bool alone = statistics_.live_writers() == 1;
+  const bool open = rule_->asks_for_open();
+  const double reach = open ? Reach(id) : 0;
   for (int i = 0; i < count; ++i) {
     ChildEntry& entry = entries[i];
     if (entry.id == kNoPath) entry.id = paths_.Find(id, entry.action);
     ChildView& view = views_[i];
-    view = {entry.q, 0, 0, 0, 0, entry.tie, entry.draw};
+    view = {entry.q, 0, 0, 0, 0, open ? OpenChild(reach, entry) : 0, entry.tie, entry.draw};
+
     if (entry.id == kNoPath) continue;
     const PathTotals& totals = statistics_.totals(entry.id);
     view.in_flight = alone ? totals.in_flight +
@@ -180,7 +183,10 @@ void Search::GiveUp(PathId leaf) {
 // --- what is wholly known
 
 void Search::Absorb() {
-  for (const PathId id : statistics_.TakeNewlyVisited()) UpdateExhausted(id);
+  for (const PathId id : statistics_.TakeNewlyVisited()) {
+    UpdateExhausted(id);
+    UpdateOpen(id);
+  }
 }
 
 void Search::UpdateExhausted(PathId id) {

@@ -52,6 +52,20 @@ class Puct : public ChildByChild<Puct> {
   double c_puct_;
 };
 
+class BestFirst : public ChildByChild<BestFirst> {
+ public:
+  // What is in flight is not open any more; but of several that choose at the same moment, before
+  // they hear of each other, those that come later are to look elsewhere.
+  double Of(const ParentView&, const ChildView& child) const {
+    return child.open / (1 + kCrowd * static_cast<double>(child.in_flight));
+  }
+  Backup backup() const override { return Backup::kPlanScore; }
+  bool asks_for_open() const override { return true; }
+
+ private:
+  static constexpr double kCrowd = 0.1;
+};
+
 class Random : public ChildByChild<Random> {
  public:
   double Of(const ParentView& parent, const ChildView& child) const {
@@ -71,6 +85,7 @@ constexpr NamedRule kRules[] = {
     {"paper", [](double c, double) -> Made { return std::make_unique<Paper>(c); }},
     {"puct", [](double, double c_puct) -> Made { return std::make_unique<Puct>(c_puct); }},
     {"gumbel", [](double, double) -> Made { return MakeGumbelRule(); }},
+    {"best_first", [](double, double) -> Made { return std::make_unique<BestFirst>(); }},
     {"random", [](double, double) -> Made { return std::make_unique<Random>(); }},
 };
 

@@ -13,6 +13,10 @@
 //           score.
 //   gumbel  For small budgets: sequential halving over Gumbel-Top-k actions at the root,
 //           planner/gumbel_rule.h (Danihelka et al. 2022). Backs up the plan score.
+//   best_first  The child below which the most promising open future lies (ChildView::open): a
+//           rollout begins at the best node that nobody has looked at yet, anywhere in the tree,
+//           and follows it to its end. Best-first search, whose rollouts never repeat each other.
+//           Backs up the plan score.
 //   random  Uniform over the children, a function of seed, worker, path and visits. Backs up the
 //           plan score.
 #pragma once
@@ -48,6 +52,8 @@ struct ChildView {
   std::int64_t in_flight;  // O
   double mean;             // W / N; 0 if unvisited
   double best;             // v*; 0 if unvisited
+  double open;             // the best of what nobody has looked at below it: f along the path
+                           // times Q of what comes next; 0: nothing, or the rule does not ask
   std::uint64_t tie;       // hash(seed, worker, path), constant for a child
   std::uint64_t draw = 0;  // hash(seed, path): the same for all workers
 };
@@ -60,6 +66,8 @@ class SelectionRule {
   virtual void ScoreAll(const ParentView& parent, std::span<const ChildView> children,
                         std::span<double> scores) const = 0;
   virtual Backup backup() const = 0;
+  // Whether ChildView::open is to be kept.
+  virtual bool asks_for_open() const { return false; }
 };
 
 // The action's share of Q among its siblings; all alike where Q gives no hint.

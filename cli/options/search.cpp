@@ -40,7 +40,7 @@ void DefineSearch(CLI::App& app, SearchOptions& search) {
   DefineRule(app, search.rule);
   app.add_option("--v-failed", search.v_failed,
                  "a future whose V falls below this on the way is given up")
-      ->default_str("0.02")
+      ->default_str("0.02, with best_first 0")
       ->type_name("X")
       ->check(Real(0, 1));
   DefineRecovery(app, search.retries, search.surprise);

@@ -123,7 +123,7 @@ SearchQuestion SearchBench::QuestionFor(std::int64_t seed, int workers, int leav
   root.time_left = -1;
   root.leaves = leaves;
   planner::SearchParameters parameters;
-  parameters.rule = options_.rule;
+  parameters.UseRule(options_.rule);
   parameters.sharing = options_.sharing;
   parameters.workers = workers;
   parameters.samples = options_.samples;

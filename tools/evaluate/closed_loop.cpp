@@ -69,7 +69,7 @@ void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* 
   loop->search.samples = search.samples;
   loop->search.workers = search.workers;
   loop->search.depth = search.depth;
-  loop->search.rule = search.rule;
+  loop->search.UseRule(search.rule);
   if (search.v_failed) loop->search.v_failed = *search.v_failed;
   loop->retries = search.retries;
   loop->surprise = search.surprise.value_or(model::kSurprising);

@@ -248,6 +248,53 @@ TEST(Search, NothingLeftToDoIsACompleteEmptyPlan) {
   EXPECT_TRUE(search.BestPlan().best.path.empty());
 }
 
+SearchParameters BestFirst(std::int64_t samples) {
+  SearchParameters parameters = Samples(samples);
+  parameters.UseRule("best_first");
+  return parameters;
+}
+
+TEST(Search, OnlyARuleThatRanksByDoubtItselfCutsLess) {
+  SearchParameters parameters = BestFirst(1);
+  EXPECT_LT(parameters.c_done, SearchParameters{}.c_done);
+  EXPECT_EQ(parameters.v_failed, 0);
+  parameters.UseRule("paper");
+  EXPECT_EQ(parameters.c_done, SearchParameters{}.c_done);
+  EXPECT_EQ(parameters.v_failed, SearchParameters{}.v_failed);
+  EXPECT_THROW(parameters.UseRule("none"), std::invalid_argument);
+}
+
+// Q says 0.4 of action 0 and 0.2 of action 1; f of action 0 turns out to be 0.3, so that nothing
+// below it is as good as action 1, which nobody has tried.
+TEST(Search, BestFirstGoesOnWhereTheMostPromisingOpenFutureIs) {
+  TableModel model = TwoActionModel();
+  model.Set({0}, 0.8f, 0.3f, {0.0f, 0.5f, 0.5f}, {1, 1, 1});
+  model.Set({}, 0.5f, 1.0f, {0.4f, 0.2f, 0.1f}, {1, 1, 1});
+  model.Set({0, 1}, 0.5f, 0.5f, {0, 0, 0}, {1, 1, 1});
+  model.Set({0, 2}, 0.5f, 0.5f, {0, 0, 0}, {1, 1, 1});
+  Search search(AnyOrder(3, 2), BestFirst(100), {}, Worker(0));
+  Answer(&search, &model, {{}, {0}});
+  EXPECT_EQ(search.Advance(1, 0), (std::vector<Path>{{1}}));  // 0.2 against 0.3 times 0.5
+  const std::vector<Path> next = search.Advance(1, 0);        // {1} is taken: below {0}
+  ASSERT_EQ(next.size(), 1u);
+  EXPECT_EQ(next.front().front(), 0);
+  EXPECT_EQ(search.waiting(), 2);
+}
+
+TEST(Search, BestFirstRolloutsNeverRepeatEachOther) {
+  ScriptedModel model({5, 7, 0.2, 0.1, 0.1});
+  Search search(AnyOrder(5, 4), BestFirst(1000), {}, Worker(0));
+  RunSearch(&search, &model);
+  EXPECT_EQ(search.stop_reason(0), StopReason::kExhausted);
+  std::int64_t ends = 0;
+  for (const StatisticsRow& row : search.statistics().AllRows()) {
+    ends += row.path.size() == 4;
+    EXPECT_TRUE(row.path.size() < 4 || row.visits == 1) << ToString(row.path);
+  }
+  EXPECT_GT(ends, 10);
+  EXPECT_LE(search.rollouts(), search.evaluations());
+}
+
 TEST(Search, MissingEvaluationsNamesVisitedPathsOnly) {
   ScriptedModel model = Kind(6);
   Search worker(AnyOrder(5, 3), Samples(20), {}, Worker(0));

@@ -16,7 +16,7 @@ ParentView Parent(std::int64_t visits, std::int64_t in_flight, double mean, doub
 }
 
 ChildView Child(double q, std::int64_t visits, std::int64_t in_flight, double mean, double best) {
-  return {q, visits, in_flight, mean, best, 0};
+  return {q, visits, in_flight, mean, best, 0, 0};
 }
 
 // Of a child that has no siblings.
@@ -46,6 +46,18 @@ TEST(PuctRule, SurvivesQsThatAreAllZero) {
   EXPECT_TRUE(std::isfinite(score));
 }
 
+TEST(BestFirstRule, GoesWhereTheBestOpenFutureLiesAndNotWhereAnotherJustWent) {
+  const auto open = [](double value, std::int64_t in_flight) {
+    ChildView child = Child(0.9, 5, in_flight, 0.9, 0.9);
+    child.open = value;
+    return Score("best_first", Parent(9, 0, 0.5, 1), child);
+  };
+  EXPECT_GT(open(0.5, 0), open(0.4, 0));
+  EXPECT_GT(open(0.5, 0), open(0.5, 1));
+  EXPECT_GT(open(0.5, 1), open(0.4, 0));
+  EXPECT_EQ(open(0, 0), 0);
+}
+
 TEST(RandomRule, IsUniformOverChildrenAndRepeatable) {
   std::map<int, int> taken;
   for (int round = 0; round < 3000; ++round) {
@@ -64,7 +76,8 @@ TEST(RandomRule, IsUniformOverChildrenAndRepeatable) {
 }
 
 TEST(SelectionRules, NamesAndBackups) {
-  EXPECT_EQ(SelectionRuleNames(), (std::vector<std::string>{"paper", "puct", "gumbel", "random"}));
+  EXPECT_EQ(SelectionRuleNames(),
+            (std::vector<std::string>{"paper", "puct", "gumbel", "best_first", "random"}));
   for (const std::string& name : SelectionRuleNames()) {
     EXPECT_EQ(MakeSelectionRule(name, 10, 1)->backup(),
               name == "paper" ? Backup::kValueProduct : Backup::kPlanScore);
@@ -73,7 +86,8 @@ TEST(SelectionRules, NamesAndBackups) {
     MakeSelectionRule("uct", 10, 1);
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "no selection rule 'uct'; there are: paper puct gumbel random");
+    EXPECT_STREQ(error.what(),
+                 "no selection rule 'uct'; there are: paper puct gumbel best_first random");
   }
 }
 
