@@ -51,6 +51,12 @@ void Define(CLI::App& app, CollectOptions& options) {
       ->type_name("X")
       ->check(Real(0, 0.25))
       ->capture_default_str();
+  app.add_option("--foresight", options.foresight,
+                 "share of the actions that are tried out beforehand: one that fails then is drawn "
+                 "anew, so that more trials get far, and fail late")
+      ->type_name("X")
+      ->check(Real(0, 1))
+      ->capture_default_str();
   DefineVideos(app, options);
   app.add_flag("--resume", options.resume, "go on with the trials that an earlier run left");
   app.add_flag("--keep-parts", options.keep_parts, "keep the files of single trials");

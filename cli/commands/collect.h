@@ -21,6 +21,7 @@ struct CollectOptions {
   TrialSceneOptions scenes;
   double image_noise =
       0.01;                 ///< sigma as a share of full range; hdf5: stored, the frames are clean
+  double foresight = 0;     ///< hdf5: share of the actions that are tried out before
   int jobs = 2;             ///< processes
   bool resume = false;      ///< go on where an earlier, killed run of the same command stopped
   bool keep_parts = false;  ///< hdf5: the files of single trials stay

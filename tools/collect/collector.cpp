@@ -74,7 +74,8 @@ json Manifest(const cli::CollectOptions& options) {
           {"objects", options.scenes.objects},
           {"legs", options.scenes.legs},
           {"tower", options.scenes.tower},
-          {"image_noise", options.image_noise}};
+          {"image_noise", options.image_noise},
+          {"foresight", options.foresight}};
 }
 
 void PrepareParts(const cli::CollectOptions& options) {
@@ -110,8 +111,8 @@ json CollectOne(const cli::CollectOptions& options, std::uint64_t seed, SceneTas
   if (fs::exists(path) && model::IsWholeTrialFile(path)) {
     return Line(model::TrialFile(path).ReadLabels(0), true);
   }
-  const model::Trial trial =
-      RecordRandomTrial(tasks->Get(SceneOf(options, seed)), seed, options.image_noise);
+  const model::Trial trial = RecordRandomTrial(tasks->Get(SceneOf(options, seed)), seed,
+                                               options.image_noise, options.foresight);
   model::WriteTrialFile(path, trial);
   return Line(trial, false);
 }
@@ -150,17 +151,16 @@ void Pack(const cli::CollectOptions& options) {
 
 sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_t seed) {
   base::Random random(base::MixSeeds({seed, kSceneStream}));
-  const bool plain = random.Uniform() < 0.5;
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
   scene.tower = scenes.tower;
   scene.scene_file = scenes.scene_file;
-  scene.objects = scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects)
-                                           : (plain ? 4 : any_objects);
+  scene.objects =
+      scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects) : any_objects;
   if (scenes.legs != kMixed) {
     scene.legs = NumberOrRefuse("legs", scenes.legs);
     if (scenes.objects == kMixed) scene.objects = std::max(scene.objects, scene.legs);
-  } else if (!plain) {
+  } else {
     scene.legs = 3 + random.Below(std::min(5, scene.objects) - 2);
   }
   return scene;

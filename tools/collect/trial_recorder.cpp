@@ -1,8 +1,11 @@
 #include "tools/collect/trial_recorder.h"
 
 #include <cstdio>
+#include <memory>
+#include <vector>
 
 #include "base/hash.h"
+#include "base/random.h"
 #include "sim/plan_rules.h"
 #include "sim/random_plan.h"
 
@@ -19,6 +22,34 @@ float RewardOf(sim::Outcome outcome) {
       return 0.0f;
   }
   return 0.0f;
+}
+
+constexpr std::uint64_t kForesightStream = 0x666f726573696768ULL;
+
+// Whether an action goes well from here, tried with other noise. The task is left as it was.
+bool GoesWell(sim::Task& task, int action, std::uint64_t noise_seed) {
+  const std::unique_ptr<sim::TaskState> here = task.Save();
+  task.SetNoiseSeed(noise_seed);
+  sim::RunAction(task, action, nullptr);
+  const bool well = task.progress().outcome != sim::Outcome::kFailure;
+  task.Restore(*here);
+  return well;
+}
+
+// The next action: as RandomPlan draws it, or the first so drawn that goes well when tried, if any
+// does.
+int ChooseAhead(sim::Task& task, sim::RandomPlan* plan, base::Random* noise) {
+  std::vector<int> left = task.LegalActions();
+  while (!left.empty()) {
+    sim::RandomPlan drawn = *plan;
+    const int action = drawn.Choose(left);
+    if (GoesWell(task, action, noise->Next())) {
+      *plan = drawn;
+      return action;
+    }
+    std::erase(left, action);
+  }
+  return plan->Choose(task.LegalActions());
 }
 
 }  // namespace
@@ -64,13 +95,17 @@ model::Trial TrialRecorder::Finish(double image_noise) const {
   return trial;
 }
 
-model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise) {
+model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise,
+                               double foresight) {
   task.Reset(seed);
   TrialRecorder recorder(task, seed);
   recorder.OnFrame(task.Observe(), task.progress());
   sim::RandomPlan plan(sim::PlanRules(task.spec()), seed);
+  base::Random ahead(base::MixSeeds({seed, kForesightStream}));
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
-    sim::RunAction(task, plan.Choose(legal), &recorder);
+    const bool looks = foresight > 0 && ahead.Uniform() < foresight;
+    const int action = looks ? ChooseAhead(task, &plan, &ahead) : plan.Choose(legal);
+    sim::RunAction(task, action, &recorder);
   }
   return recorder.Finish(image_noise);
 }

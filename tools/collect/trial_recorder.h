@@ -28,7 +28,10 @@ class TrialRecorder : public sim::FrameSink {
 };
 
 // Carries out trial `seed` of `task`: a random legal plan (sim/random_plan.h). The choice of
-// actions has a stream of its own, so it does not depend on the world's noise.
-model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise);
+// actions has a stream of its own, so it does not depend on the world's noise. `foresight`: share
+// of the actions that are tried out before, with other noise; the first that goes well is taken.
+// Of random plans of many actions few come far enough to fail late, or not at all.
+model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise,
+                               double foresight = 0);
 
 }  // namespace prospect::tools

@@ -74,7 +74,10 @@ class EngineMind : public LocalMind {
   std::int64_t frame_ = -1;  // of the present picture; -1: a new scene
 };
 
-// Searches with the world itself: one imagined run succeeds or fails.
+// Of each action. A future of which fewer than half succeed is not to be set out on.
+constexpr int kImaginedRuns = 5;
+
+// Searches with the world itself.
 class SimulatorMind : public LocalMind {
  public:
   void Enter(sim::Task& task, std::uint64_t scene_seed) override {
@@ -88,7 +91,7 @@ class SimulatorMind : public LocalMind {
     const int begun = task_->progress().segment + 1;  // actions
     if (begun != begun_) {
       model_ = std::make_unique<SimulatorModel>(
-          task_, seed_ * 31 + static_cast<std::uint64_t>(begun) + 0x51517);
+          task_, seed_ * 31 + static_cast<std::uint64_t>(begun) + 0x51517, kImaginedRuns);
       begun_ = begun;
     }
     agent::SearchQuestion own = question;

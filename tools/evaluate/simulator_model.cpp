@@ -1,24 +1,34 @@
 #include "tools/evaluate/simulator_model.h"
 
+#include <utility>
+
+#include "base/random.h"
 #include "sim/rollout.h"
 
 namespace prospect::tools {
 
-SimulatorModel::SimulatorModel(sim::Task* task, std::uint64_t noise_seed) : task_(task) {
+SimulatorModel::SimulatorModel(sim::Task* task, std::uint64_t noise_seed, int runs) : task_(task) {
   const std::unique_ptr<sim::TaskState> real = task_->Save();
-  task_->SetNoiseSeed(noise_seed);
-  nodes_[{}] = Node{task_->Save(), Judge()};
+  Node root;
+  for (int run = 0; run < runs; ++run) {
+    task_->SetNoiseSeed(base::MixSeeds({noise_seed, static_cast<std::uint64_t>(run)}));
+    root.going.push_back(task_->Save());
+  }
+  const bool failed = task_->progress().outcome == sim::Outcome::kFailure;
+  root.evaluation = Judge(failed ? 0 : 1);
   task_->Restore(*real);
+  nodes_[{}] = std::move(root);
 }
 
-planner::Evaluation SimulatorModel::Judge() const {
-  const sim::Progress progress = task_->progress();
-  const bool failed = progress.outcome == sim::Outcome::kFailure;
+// Of the state that the task is in.
+planner::Evaluation SimulatorModel::Judge(double done) const {
   planner::Evaluation evaluation;
-  evaluation.value = failed ? 0.f : 1.f;
-  evaluation.done = failed ? 0.f : 1.f;
+  evaluation.value = done > 0 ? 1.f : 0.f;
+  evaluation.done = static_cast<float>(done);
   evaluation.q.assign(task_->spec().actions.size(), 0.f);
-  for (int action : task_->LegalActions()) evaluation.q[action] = 1.f;
+  if (done > 0) {
+    for (const int action : task_->LegalActions()) evaluation.q[action] = 1.f;
+  }
   evaluation.p = evaluation.q;
   return evaluation;
 }
@@ -26,11 +36,18 @@ planner::Evaluation SimulatorModel::Judge() const {
 SimulatorModel::Node& SimulatorModel::Visit(const planner::Path& path) {
   const auto known = nodes_.find(path);
   if (known != nodes_.end()) return known->second;
-  planner::Path parent(path.begin(), path.end() - 1);
-  task_->Restore(*Visit(parent).state);
-  const bool legal = sim::RunAction(*task_, path.back(), nullptr);
-  Node node{task_->Save(), Judge()};
-  if (!legal) node.evaluation.value = node.evaluation.done = 0.f;
+  const planner::Path before(path.begin(), path.end() - 1);
+  const Node& parent = Visit(before);
+  Node node;
+  for (const auto& state : parent.going) {
+    task_->Restore(*state);
+    if (!sim::RunAction(*task_, path.back(), nullptr)) continue;
+    if (task_->progress().outcome == sim::Outcome::kFailure) continue;
+    node.going.push_back(task_->Save());
+  }
+  if (!node.going.empty()) task_->Restore(*node.going.front());
+  const double came = static_cast<double>(parent.going.size());
+  node.evaluation = Judge(came > 0 ? static_cast<double>(node.going.size()) / came : 0);
   return nodes_[path] = std::move(node);
 }
 

@@ -14,7 +14,7 @@ TEST(SimulatorModel, LeavesTheTaskAsItWas) {
   const auto twin = sim::MakeTask("navigation");
   task->Reset(1234567);
   twin->Reset(1234567);
-  SimulatorModel model(task.get(), 99);
+  SimulatorModel model(task.get(), 99, 1);
   const std::vector<int> legal = task->LegalActions();
   ASSERT_FALSE(legal.empty());
   for (int action : legal) model.Evaluate({static_cast<std::uint8_t>(action)});
@@ -28,7 +28,7 @@ TEST(SimulatorModel, LeavesTheTaskAsItWas) {
 TEST(SimulatorModel, PermitsWhatIsLegalAndJudgesByOutcome) {
   const auto task = sim::MakeTask("navigation");
   task->Reset(1234567);
-  SimulatorModel model(task.get(), 99);
+  SimulatorModel model(task.get(), 99, 1);
   const planner::Evaluation root = model.Evaluate({});
   const std::vector<int> legal = task->LegalActions();
   for (std::size_t a = 0; a < root.p.size(); ++a) {
