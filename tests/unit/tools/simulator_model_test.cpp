@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/rollout.h"
 #include "sim/task_factory.h"
 #include "tools/evaluate/decider.h"
@@ -41,6 +44,23 @@ TEST(SimulatorModel, PermitsWhatIsLegalAndJudgesByOutcome) {
     EXPECT_EQ(after.done > 0, after.p != planner::Evaluation{}.p && !after.p.empty() &&
                                   *std::max_element(after.p.begin(), after.p.end()) > 0);
   }
+}
+
+// Of several runs f is the share that goes well: what one run happens to do is no certainty.
+TEST(SimulatorModel, SaysHowManyOfItsRunsGoWell) {
+  const auto task = sim::MakeTask("navigation");
+  constexpr int kRuns = 4;
+  bool doubtful = false;
+  for (std::uint64_t seed = 1'000'000; seed < 1'000'040 && !doubtful; ++seed) {
+    task->Reset(seed);
+    SimulatorModel model(task.get(), 99, kRuns);
+    for (const int action : task->LegalActions()) {
+      const float done = model.Evaluate({static_cast<std::uint8_t>(action)}).done;
+      EXPECT_EQ(done * kRuns, std::round(done * kRuns));
+      doubtful |= done > 0 && done < 1;
+    }
+  }
+  EXPECT_TRUE(doubtful);
 }
 
 }  // namespace
