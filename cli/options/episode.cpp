@@ -16,7 +16,7 @@ void DefineSearch(CLI::App& app, EpisodeOptions& options) {
   app.get_option("--samples")->group(kSearchGroup);
   app.add_option("--depth", options.depth, "actions to look ahead")
       ->type_name("N")
-      ->transform(Whole(0, 32))
+      ->transform(Whole(0, 64))
       ->default_str("0: what remains of the plan")
       ->group(kSearchGroup);
   DefineRule(app, options.rule)->group(kSearchGroup);
