@@ -37,5 +37,6 @@ std::string Validate(const search_statistics_t& message);
 std::string Validate(const search_stop_t& message);
 std::string Validate(const sim_command_t& message);
 std::string Validate(const task_t& message);
+std::string Validate(const verdict_t& message);
 
 }  // namespace prospect::messages

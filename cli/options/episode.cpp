@@ -106,6 +106,13 @@ void DefineNoReset(CLI::App& app, bool& reset) {
   app.add_flag("!--no-reset", reset, "take the scene as it is, as on a robot");
 }
 
+void DefineAsk(CLI::App& app, bool& ask) {
+  app.add_flag(
+      "--ask", ask,
+      "ask after an action whether it worked, where the robot cannot tell; recordings keep "
+      "the answers");
+}
+
 void DefineWhatIf(CLI::App& app, std::string& what_if) {
   app.add_option("--what-if", what_if,
                  "tell what the model expects of this plan, too: \"align(green),grasp(green)\"")

@@ -204,7 +204,7 @@ TEST(Validate, Commands) {
 
 TEST(Validate, StatusPlanAndHealth) {
   ExpectFaults<action_status_t>(action_status_t{},
-                                {{"state: unknown", [](auto& m) { m.state = 7; }},
+                                {{"state: unknown", [](auto& m) { m.state = 8; }},
                                  {"outcome: unknown", [](auto& m) { m.outcome = -1; }},
                                  {"action: out of range", [](auto& m) { m.action = -2; }}});
   plan_t plan{};
@@ -268,6 +268,10 @@ TEST(Validate, ModelAndPictures) {
                                   {{"want: neither 0 nor 1", [](auto& m) { m.want_image = 5; }}});
   ExpectFaults<search_stop_t>(search_stop_t{},
                               {{"epoch: negative", [](auto& m) { m.epoch = -1; }}});
+  ExpectFaults<verdict_t>(verdict_t{},
+                          {{"episode_id: negative", [](auto& m) { m.episode_id = -1; }},
+                           {"action: out of range", [](auto& m) { m.action = -1; }},
+                           {"succeeded: neither 0 nor 1", [](auto& m) { m.succeeded = 2; }}});
   search_image_t image{};
   image.encoding = observation_t::ENCODING_RGB8;
   image.width = image.height = 1;
