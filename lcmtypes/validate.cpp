@@ -47,7 +47,7 @@ void CheckStep(const plan_step_t& step, ValueCheck& check) {
       .That(std::isfinite(step.score) && std::isfinite(step.value) && std::isfinite(step.done),
             "steps: number not finite")
       .That(IsCount(step.visits), "steps: negative visits")
-      .That(InRange<int>(step.observed, 0, action_status_t::STATE_REFUSED), "steps: unknown state");
+      .That(InRange<int>(step.observed, 0, action_status_t::STATE_ENDED), "steps: unknown state");
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::string Validate(const action_command_t& message) {
 
 std::string Validate(const action_status_t& message) {
   ValueCheck check;
-  check.That(InRange<int>(message.state, 0, action_status_t::STATE_REFUSED), "state: unknown")
+  check.That(InRange<int>(message.state, 0, action_status_t::STATE_ENDED), "state: unknown")
       .That(InRange<int>(message.outcome, 0, label_t::OUTCOME_FAILURE), "outcome: unknown")
       .That(InRange(message.action, -1, kMaxActions - 1), "action: out of range");
   return check.Result();
@@ -145,6 +145,14 @@ std::string Validate(const task_t& message) {
       .That(std::isfinite(message.action_time_limit) && message.action_time_limit > 0,
             "action_time_limit: not positive");
   CheckTable(message, check);
+  return check.Result();
+}
+
+std::string Validate(const verdict_t& message) {
+  ValueCheck check;
+  check.That(IsCount(message.episode_id), "episode_id: negative")
+      .That(InRange(message.action, 0, kMaxActions - 1), "action: out of range")
+      .That(IsBoolean(message.succeeded), "succeeded: neither 0 nor 1");
   return check.Result();
 }
 

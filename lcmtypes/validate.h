@@ -13,7 +13,7 @@ namespace prospect::messages {
 /// Limits that hold for every message. They are generous: they bound memory and keep nonsense out,
 /// and are no tuning.
 inline constexpr int kMaxActions = 255;  ///< rows of a task's table; an action travels as one byte
-inline constexpr int kMaxPathLength = 32;   ///< actions in a path
+inline constexpr int kMaxPathLength = 64;   ///< actions in a path
 inline constexpr int kMaxImageSide = 4096;  ///< pixels
 inline constexpr int kMaxPathsPerRequest = 256;
 
@@ -37,5 +37,6 @@ std::string Validate(const search_statistics_t& message);
 std::string Validate(const search_stop_t& message);
 std::string Validate(const sim_command_t& message);
 std::string Validate(const task_t& message);
+std::string Validate(const verdict_t& message);
 
 }  // namespace prospect::messages

@@ -22,7 +22,7 @@ void Validate(const NetworkConfig& c) {
   Require(c.image_height >= 32 && c.image_height <= 1024 && c.image_height % 16 == 0,
           "image_height: must be a multiple of 16 from 32 to 1024");
   Require(c.hidden_channels >= 1 && c.hidden_channels <= 256, "hidden_channels: must be 1 to 256");
-  Require(c.num_actions >= 1 && c.num_actions <= 254, "num_actions: must be 1 to 254");
+  Require(c.num_actions >= 1 && c.num_actions <= 255, "num_actions: must be 1 to 255");
   Require(c.transform_dropout >= -1 && c.transform_dropout < 1,
           "transform_dropout: must be at least 0, below 1, or -1: as dropout");
   Require(IsShare(c.dropout) && IsShare(c.head_dropout), "dropout: must be at least 0, below 1");

@@ -16,7 +16,7 @@ namespace prospect::planner {
 // kMaxActions.
 using Path = std::vector<std::uint8_t>;
 
-constexpr int kMaxPathLength = 32;
+constexpr int kMaxPathLength = 64;
 constexpr int kMaxActions = 255;
 
 // Folds `value` into `seed`; order matters.

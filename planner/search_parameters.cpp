@@ -35,7 +35,7 @@ void SearchParameters::Validate() const {
   Require(InUnit(refusal_threshold), "refusal_threshold must be in [0, 1]");
   Require(samples >= 1 && samples <= 1'000'000'000, "samples must be 1 to 1e9");
   Require(workers >= 1, "workers must be at least 1");
-  Require(depth >= 1 && depth <= kMaxPathLength, "depth must be 1 to 32");
+  Require(depth >= 1 && depth <= kMaxPathLength, "depth must be 1 to 64");
   Require(deadline_us >= 0, "deadline_us must not be negative");
   Require(listed_futures >= 0, "listed_futures must not be negative");
   Require(patience_us > 0, "patience_us must be above 0");

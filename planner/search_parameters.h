@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "planner/path.h"
+
 namespace prospect::planner {
 
 struct SearchParameters {
@@ -22,7 +24,8 @@ struct SearchParameters {
   std::int64_t samples = 100;
   bool sharing = true;  // rows are merged as they come: one tree. False: a tree for each worker
   int workers = 1;      // that part the samples among them, >= 1; unused where they share
-  int depth = 32;  // longest path, 1 to kMaxPathLength; the task's remaining length cuts it too
+  // Longest path, 1 to kMaxPathLength; the task's remaining length cuts it too.
+  int depth = kMaxPathLength;
   std::uint64_t seed = 0;  // breaks ties
   std::int64_t deadline_us =
       0;  // no rollout starts from then on, on the caller's steady clock; 0: none

@@ -156,6 +156,8 @@ void ReadNumbers(std::uint8_t head, StatisticsRow* row, Reader* from) {
 
 std::size_t RowBytes(const StatisticsRow& row, bool relayed) {
   std::size_t bytes = 2 + VarintBytes(static_cast<std::uint64_t>(row.visits)) + (relayed ? 1 : 0);
+  // Beyond what a head can say is shared, the rest is written out after its length.
+  if (row.path.size() > kSharedMask + std::size_t{1}) bytes += row.path.size() - kSharedMask;
   if (row.visits > 0) bytes += VarintBytes(static_cast<std::uint64_t>(row.value_sum));
   if (row.visits > 1) bytes += VarintBytes(BestUnits(row));
   return bytes + (row.in_flight > 0 ? VarintBytes(static_cast<std::uint64_t>(row.in_flight)) : 0);

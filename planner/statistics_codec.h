@@ -4,7 +4,8 @@
 //
 //   table   varint number of other writers, then 8 bytes (low first) for each
 //   row     1 byte: bit 7 a writer follows; bit 6 O follows; bit 5 the suffix is one action;
-//             bits 0-4 how many actions the path shares with the row before (none at the first row)
+//             bits 0-4 how many actions the path shares with the row before (none at the first
+//             row), 31 where it shares more
 //           varint writer's place in the table, counted from 1, 0 for the sender (if bit 7; if not:
 //             as in the row before, at first the sender)
 //           varint suffix length (if not bit 5), then the suffix's actions, a byte each

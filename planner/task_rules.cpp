@@ -218,7 +218,7 @@ bool TaskRules::Legal(const Path& executed, const Path& path) const {
 
 void TaskRules::Validate() const {
   Require(num_actions >= 1 && num_actions <= kMaxActions, "num_actions must be 1 to 255");
-  Require(plan_length >= 1 && plan_length <= kMaxPathLength, "plan_length must be 1 to 32");
+  Require(plan_length >= 1 && plan_length <= kMaxPathLength, "plan_length must be 1 to 64");
   Require(static_cast<int>(successors.size()) == num_actions + 1,
           "successors needs one row for each action and a last one for the null action");
   for (const std::vector<int>& row : successors) {

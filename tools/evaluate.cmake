@@ -19,7 +19,7 @@ if(NOT TARGET prospect_film)
   return()
 endif()
 add_library(prospect_evaluate_lib STATIC ${evaluate}/calibrate.cpp ${evaluate}/record_file.cpp ${evaluate}/shift_sweep.cpp
-  ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_scores.cpp
+  ${evaluate}/plan_outcomes.cpp ${evaluate}/plan_rank.cpp ${evaluate}/plan_scores.cpp
   ${evaluate}/recovery.cpp ${evaluate}/report.cpp ${evaluate}/scene_draw.cpp ${evaluate}/scene_video.cpp)
 prospect_target(prospect_evaluate_lib)
 target_link_libraries(prospect_evaluate_lib PUBLIC prospect_local_episode prospect_score_words

@@ -104,6 +104,7 @@ void Define(CLI::App& app, RunOptions& options) {
   DefineActing(app, options.acting);
   DefineTrialLoop(app, options.trials);
   DefineNoReset(app, options.reset);
+  DefineAsk(app, options.ask);
   DefineWeights(app, options.weights);
   DefineBus(app, options.episode.bus);
 }

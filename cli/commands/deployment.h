@@ -48,6 +48,7 @@ struct RunOptions {
   TrialLoopOptions trials;
   std::string weights;  ///< that must be up; empty: whatever is
   bool reset = true;    ///< false: the scene as it is, as on a robot
+  bool ask = false;     ///< whether an action worked, where the robot cannot tell
 };
 void Define(CLI::App& app, RunOptions& options);
 std::string Defect(const RunOptions& options);

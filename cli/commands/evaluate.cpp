@@ -204,6 +204,7 @@ void Define(CLI::App& app, EvaluateOnBusOptions& options) {
       ->capture_default_str();
   app.add_flag("--pause", options.pause,
                "wait for Enter before each episode, where a person sets the scene up");
+  DefineAsk(app, options.ask);
   app.add_option("--rows", options.rows,
                  "whose episodes are run, on equal scenes where the robot heeds a seed")
       ->type_name("NAMES")

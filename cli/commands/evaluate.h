@@ -108,6 +108,7 @@ struct EvaluateOnBusOptions {
   bool reset = true;               ///< false: scenes are taken as they stand
   int episodes = 60;               ///< scenes: each row has so many episodes
   bool pause = false;              ///< before each episode, until Enter is typed
+  bool ask = false;                ///< whether an action worked, where the robot cannot tell
   std::vector<std::string> rows = {"planner", "random", "greedy"};
 };
 

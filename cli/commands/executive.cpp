@@ -9,6 +9,7 @@ void Define(CLI::App& app, ExecutiveOptions& options) {
   DefineActing(app, options.acting);
   DefineTrialLoop(app, options.trials);
   DefineNoReset(app, options.reset);
+  DefineAsk(app, options.ask);
   app.add_option("--world", options.world,
                  "the world_version that TASK must have, as prospect-simulator --check says it")
       ->type_name("HASH");

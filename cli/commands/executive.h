@@ -14,6 +14,7 @@ struct ExecutiveOptions {
   ActingOptions acting;
   TrialLoopOptions trials;
   bool reset = true;          ///< false: the scene as it is
+  bool ask = false;           ///< whether an action worked, where the robot cannot tell
   std::string world;          ///< world_version that TASK must have; empty: any
   bool explain_only = false;  ///< searches once, tells why, and carries nothing out
   std::string what_if;        ///< with the former

@@ -16,7 +16,7 @@ void DefineSearch(CLI::App& app, EpisodeOptions& options) {
   app.get_option("--samples")->group(kSearchGroup);
   app.add_option("--depth", options.depth, "actions to look ahead")
       ->type_name("N")
-      ->transform(Whole(0, 32))
+      ->transform(Whole(0, 64))
       ->default_str("0: what remains of the plan")
       ->group(kSearchGroup);
   DefineRule(app, options.rule)->group(kSearchGroup);
@@ -104,6 +104,13 @@ std::string TrialLoopDefect(const TrialLoopOptions& options, const ActingOptions
 
 void DefineNoReset(CLI::App& app, bool& reset) {
   app.add_flag("!--no-reset", reset, "take the scene as it is, as on a robot");
+}
+
+void DefineAsk(CLI::App& app, bool& ask) {
+  app.add_flag(
+      "--ask", ask,
+      "ask after an action whether it worked, where the robot cannot tell; recordings keep "
+      "the answers");
 }
 
 void DefineWhatIf(CLI::App& app, std::string& what_if) {

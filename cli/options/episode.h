@@ -68,6 +68,9 @@ void DefineWorkers(CLI::App& app, int& workers);
 /// Adds --no-reset, which clears `reset`.
 void DefineNoReset(CLI::App& app, bool& reset);
 
+/// Adds --ask.
+void DefineAsk(CLI::App& app, bool& ask);
+
 /// Adds --what-if.
 void DefineWhatIf(CLI::App& app, std::string& what_if);
 

@@ -35,7 +35,7 @@ void DefineSearch(CLI::App& app, SearchOptions& search) {
       ->capture_default_str();
   app.add_option("--depth", search.depth, "actions to look ahead; the plan's rest limits it")
       ->type_name("N")
-      ->transform(Whole(1, 32))
+      ->transform(Whole(1, 64))
       ->capture_default_str();
   DefineRule(app, search.rule);
   app.add_option("--v-failed", search.v_failed,

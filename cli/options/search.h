@@ -12,7 +12,7 @@ namespace prospect::cli {
 struct SearchOptions {
   std::int64_t samples = 30;       ///< rollouts a search, of all workers
   int workers = 1;                 ///< that share each search, inside one process
-  int depth = 32;                  ///< actions to look ahead; the plan's rest limits it
+  int depth = 64;                  ///< actions to look ahead; the plan's rest limits it
   std::string rule = "paper";      ///< planner/selection_rule.h
   std::optional<double> v_failed;  ///< V below it: given up; left out: as everywhere
   int retries = 1;                 ///< times a plan that is lost may be begun anew

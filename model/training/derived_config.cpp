@@ -5,7 +5,7 @@
 namespace prospect::model {
 namespace {
 
-constexpr int kBatch = 8, kHeadsBatch = 16;
+constexpr int kBatch = 8;
 constexpr std::size_t kUnknownSegments = 2000;
 constexpr std::int64_t kFewest = 200, kMost = 40'000;
 
@@ -28,16 +28,17 @@ TrainConfig DerivedConfig(const TrainingSize& size) {
   c.network.transform_mask = true;
   c.network.transform_action = "scale_and_shift";
   c.shards = size.image_width * size.image_height > 64 * 64 ? 1 : 2;
-  c.mids_per_segment = 1;
+  c.mids_per_segment = 0;  // what is seen inside an action no plan is made from
   c.focus = 5.0;
   c.landmark_weight = 2.0;  // where the data have landmarks
   // C reads which action a picture is the goal of: for comparisons, not for planning.
   c.classifier.iterations = 0;
   c.lambda = 0;
-  c.encoder_decoder = {Iterations(segments, 12), kBatch, 2e-3};
-  c.transform_hidden = {Iterations(segments, 30), kBatch, 2e-3};
-  c.transform_image = {Iterations(segments, 2), kBatch, 5e-4};
-  c.heads = {Iterations(segments, 16), kHeadsBatch, 1e-3};
+  // Most for T on encodings, where f is learned with it: whether an action succeeds decides plans.
+  c.encoder_decoder = {Iterations(segments, 6), kBatch, 2e-3};
+  c.transform_hidden = {Iterations(segments, 40), kBatch, 2e-3};
+  c.transform_image = {Iterations(segments, 0.6), kBatch, 5e-4};
+  c.heads = {Iterations(segments, 6), kBatch, 1e-3};
   c.heads_need_failures = true;
   c.linked_steps = std::clamp(size.plan_length, 1, 2);
   c.repeat_last = false;

@@ -189,8 +189,8 @@ std::string ClassifiersHash(const std::string& weights) {
 
 // Shares of a run's time. The encoder is what all else stands on, and T is the dearest.
 const std::map<std::string, double> kTimeShares = {
-    {"classifier", 0.1},        {"second-classifier", 0.1}, {"encoder-decoder", 0.25},
-    {"transform-hidden", 0.35}, {"transform-image", 0.05},  {"heads", 0.35}};
+    {"classifier", 0.1},       {"second-classifier", 0.1}, {"encoder-decoder", 0.25},
+    {"transform-hidden", 0.5}, {"transform-image", 0.05},  {"heads", 0.2}};
 constexpr int kTried = 20, kTriedFirst = 3;  // iterations by which a stage's speed is measured
 
 ProgressFn ProgressOf(const std::string& what) {

@@ -53,7 +53,7 @@ bool RobotCheck::CarryOut(int action) {
 void RobotCheck::CheckOutcomes() {
   NewScene();
   base::Random random(1);
-  int succeeded = 0, failed = 0;
+  int succeeded = 0, failed = 0, untold = 0;
   std::vector<int> next(task_->initial.begin(), task_->initial.end());
   for (int step = 0; step < task_->plan_length && !next.empty();) {
     const std::size_t at = static_cast<std::size_t>(random.Below(static_cast<int>(next.size())));
@@ -65,13 +65,18 @@ void RobotCheck::CheckOutcomes() {
     ++step;
     succeeded += status_->state == action_status_t::STATE_SUCCEEDED;
     failed += status_->state == action_status_t::STATE_FAILED;
+    untold += status_->state == action_status_t::STATE_ENDED;
     next = task_->actions[static_cast<std::size_t>(action)].successors;
   }
-  const std::string both = succeeded > 0 && failed > 0 ? ""
-                                                       : ": training needs both, so record "
-                                                         "until both have happened";
+  std::string advice;
+  if (untold > 0) {
+    advice =
+        ", " + std::to_string(untold) + " that the robot cannot judge: run and collect with --ask";
+  } else if (succeeded == 0 || failed == 0) {
+    advice = ": training needs both, so record until both have happened";
+  }
   Tell("actions of a plan",
-       std::to_string(succeeded) + " succeeded, " + std::to_string(failed) + " failed" + both);
+       std::to_string(succeeded) + " succeeded, " + std::to_string(failed) + " failed" + advice);
 }
 
 }  // namespace prospect::services

@@ -11,6 +11,7 @@
 #include "services/common/ids.h"
 #include "services/common/robot_hold.h"
 #include "services/common/signals.h"
+#include "tasks/picture_size.h"
 
 namespace prospect::services {
 namespace {
@@ -121,6 +122,8 @@ void RobotCheck::CheckTask() {
        defect.empty() ? std::to_string(task_->num_actions) + " actions" : defect);
   Note("plan_length, tick_seconds and action_time_limit are positive",
        task_->plan_length > 0 && task_->tick_seconds > 0 && task_->action_time_limit > 0);
+  const std::string size = tasks::PictureSizeRemark(task_->image_width, task_->image_height);
+  if (!size.empty()) Tell("size of pictures", size);
 }
 
 // What a robot says while it holds still: the same picture again, and how it stands.

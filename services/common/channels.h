@@ -46,6 +46,7 @@ template <> constexpr const char* ChannelOf<search_statistics_t>() { return "SEA
 template <> constexpr const char* ChannelOf<search_stop_t>() { return "SEARCH_STOP"; }
 template <> constexpr const char* ChannelOf<sim_command_t>() { return "SIM_COMMAND"; }
 template <> constexpr const char* ChannelOf<task_t>() { return "TASK"; }
+template <> constexpr const char* ChannelOf<verdict_t>() { return "VERDICT"; }
 // clang-format on
 
 }  // namespace prospect::services

@@ -19,8 +19,8 @@ constexpr double kLimitSlackSeconds = 30;
 
 std::string StateName(std::int8_t state) {
   static const char* const names[] = {"unknown", "idle",      "running", "succeeded",
-                                      "failed",  "cancelled", "refused"};
-  return state >= 0 && state <= action_status_t::STATE_REFUSED ? names[state] : "unknown";
+                                      "failed",  "cancelled", "refused", "ended"};
+  return state >= 0 && state <= action_status_t::STATE_ENDED ? names[state] : "unknown";
 }
 
 action_command_t ActionRunner::NextCommand(std::int8_t kind, int action) {

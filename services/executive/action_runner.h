@@ -15,10 +15,11 @@ class ActionRunner {
  public:
   explicit ActionRunner(Conversation& talk) : talk_(talk) {}
 
-  /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled
-  /// or refused. Throws kExitServiceLost when whoever carries actions out falls silent,
-  /// kExitTimeout when it takes no notice of the command or the action never ends, and
-  /// kExitInterrupted after a stop signal; whatever is thrown, the action is cancelled first.
+  /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled,
+  /// refused, or ended, where the robot cannot tell. Throws kExitServiceLost when whoever carries
+  /// actions out falls silent, kExitTimeout when it takes no notice of the command or the action
+  /// never ends, and kExitInterrupted after a stop signal; whatever is thrown, the action is
+  /// cancelled first.
   action_status_t CarryOut(int action);
 
  private:
@@ -33,7 +34,7 @@ class ActionRunner {
   Conversation& talk_;
 };
 
-/// "idle", "running", "succeeded", "failed", "cancelled", "refused".
+/// "idle", "running", "succeeded", "failed", "cancelled", "refused", "ended".
 std::string StateName(std::int8_t state);
 
 }  // namespace prospect::services

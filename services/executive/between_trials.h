@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "agent/record.h"
 #include "services/executive/conversation.h"
@@ -10,10 +9,6 @@
 namespace prospect::services {
 
 // What those who run many episodes, one after another, do between them.
-
-/// Says "`what`: set the scene up, then type Enter" and waits for it; goes on listening and saying
-/// that it lives. Throws kExitInterrupted where nobody can type Enter any more.
-void AwaitEnter(Conversation& talk, const std::string& what);
 
 /// Of a robot that is not told to begin an episode: waits for another than `last`, since what the
 /// last one left is no new scene. Throws kExitTimeout.

@@ -1,11 +1,14 @@
 #include "services/executive/bus_world.h"
 
 #include "services/executive/known_task.h"
+#include "services/executive/person.h"
 #include "services/executive/preparation.h"
 #include "services/executive/task_view_messages.h"
 
 namespace prospect::services {
 namespace {
+
+constexpr std::int64_t kVerdictMs = 150;  // for three messages: any may be lost
 
 // Whoever carries actions out and says of one that it ended otherwise has given it up.
 agent::ActionState StateOf(const action_status_t& status) {
@@ -41,6 +44,11 @@ agent::Glimpse GlimpseOf(const observation_t& observation) {
 
 }  // namespace
 
+BusWorld::BusWorld(Conversation& talk, const ExecutiveOptions& options)
+    : talk_(talk), options_(options), actions_(talk) {
+  if (options.ask) RequirePerson();
+}
+
 void BusWorld::Await() {
   talk_.health().SetState(health_t::STATE_BUSY);
   AwaitServices(talk_, options_);
@@ -72,9 +80,28 @@ std::optional<agent::SceneLabel> BusWorld::label() const {
 }
 
 agent::ActionResult BusWorld::CarryOut(int action) {
-  const action_status_t status = actions_.CarryOut(action);
+  action_status_t status = actions_.CarryOut(action);
   frame_ = status.frame;
+  if (status.state == action_status_t::STATE_ENDED) AskPerson(&status);
   return {StateOf(status), OutcomeOf(status), status.reason};
+}
+
+// The answer is said on the bus, too, so that recordings know it.
+void BusWorld::AskPerson(action_status_t* status) {
+  const std::string name = task_.ActionName(status->action);
+  if (!options_.ask) {
+    throw ExitError(kExitUsage,
+                    "the robot cannot tell whether " + name + " worked: with --ask you are asked");
+  }
+  verdict_t verdict{};
+  verdict.executive_id = talk_.id();
+  verdict.command_id = status->command_id;
+  verdict.episode_id = status->episode_id;
+  verdict.action = status->action;
+  verdict.succeeded = AskWhetherItWorked(talk_, name) ? 1 : 0;
+  talk_.Until([] { return false; }, kVerdictMs, [&] { talk_.Say(verdict); }, kVerdictMs / 3);
+  status->state =
+      verdict.succeeded ? action_status_t::STATE_SUCCEEDED : action_status_t::STATE_FAILED;
 }
 
 agent::Glimpse BusWorld::Look() { return GlimpseOf(services::Look(talk_, frame_)); }

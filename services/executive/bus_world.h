@@ -14,8 +14,8 @@ namespace prospect::services {
 /// an ExitError. One thread; conversation and options must outlive it.
 class BusWorld : public agent::World {
  public:
-  BusWorld(Conversation& talk, const ExecutiveOptions& options)
-      : talk_(talk), options_(options), actions_(talk) {}
+  /// @throws ExitError, kExitUsage: a person is to be asked, and none can answer
+  BusWorld(Conversation& talk, const ExecutiveOptions& options);
 
   /// Waits for all services that the episode needs, model servers and workers included, and claims
   /// the robot where it is to move.
@@ -29,6 +29,8 @@ class BusWorld : public agent::World {
   std::vector<agent::Picture> Frames() const override;
 
  private:
+  void AskPerson(action_status_t* status);
+
   Conversation& talk_;
   const ExecutiveOptions& options_;
   ActionRunner actions_;

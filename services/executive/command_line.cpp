@@ -61,6 +61,7 @@ void Take(const cli::ExecutiveOptions& given, ExecutiveCall* call) {
   ExecutiveOptions& options = call->options;
   Take(given.episode, &options);
   options.reset = given.reset;
+  options.ask = given.ask;
   options.world = given.world;
   options.policy = given.acting.policy;
   options.retries = given.acting.retries;

@@ -17,8 +17,9 @@ struct ExecutiveOptions : agent::EpisodeOptions {
   int objects = 0;              ///< on the site; 0: as the simulator stands
   int legs = 0;                 ///< actions in a complete plan; 0: as the simulator stands
   bool reset = true;            ///< false: take the scene as it is, as on a robot
-  std::string world;            ///< world_version that TASK must have; empty: any
-  int leaves = 2;               ///< evaluations a worker may have in flight
+  bool ask = false;   ///< a person says of actions whether they worked, where the robot cannot
+  std::string world;  ///< world_version that TASK must have; empty: any
+  int leaves = 2;     ///< evaluations a worker may have in flight
   std::int64_t budget_ms = -1;  ///< time for one search; negative: none
   int workers = 1;              ///< planner workers to wait for before the first search
   std::string weights_hash;     ///< 16 hexadecimal digits; empty: whatever the first server holds

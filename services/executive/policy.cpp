@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "planner/path.h"
 #include "services/binding/task_messages.h"
 #include "sim/random_plan.h"
 
@@ -11,7 +12,6 @@ namespace prospect::services {
 namespace {
 
 constexpr char kPlanPrefix[] = "plan:";
-constexpr std::size_t kLongestPlan = 64;
 
 bool Contains(const std::vector<int>& list, int action) {
   return std::find(list.begin(), list.end(), action) != list.end();
@@ -35,7 +35,7 @@ bool Over(const planner::TaskRules& rules, const std::vector<int>& done) {
   if (done.size() < static_cast<std::size_t>(rules.plan_length)) return false;
   const std::vector<int>& first = rules.successors.back();
   const std::vector<int>& next = rules.successors.at(done.back());
-  return done.size() >= kLongestPlan ||
+  return done.size() >= planner::kMaxPathLength ||
          std::all_of(next.begin(), next.end(), [&](int action) { return Contains(first, action); });
 }
 

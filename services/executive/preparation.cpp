@@ -172,10 +172,16 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
     RequireJudgement(info, options);
     return info;
   }
+  const model_info_t& first = live.front();
+  const std::string& task = talk.view().task()->name;
+  const std::string remedy = first.engine.starts_with("scripted")
+                                 ? "scripted ones pretend to know the table of --task: start them "
+                                   "with --task for '" +
+                                       task + "'"
+                                 : "start one with --weights for task '" + task + "'";
   throw ExitError(kExitWeights, "no model server holds fitting weights: the first holds " +
-                                    base::HexText(live.front().weights_hash) + " for task '" +
-                                    live.front().task + "'; start one with --weights for task '" +
-                                    talk.view().task()->name + "'");
+                                    base::HexText(first.weights_hash) + " for task '" + first.task +
+                                    "'; " + remedy);
 }
 
 const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model) {

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "services/executive/between_trials.h"
+#include "services/executive/person.h"
 #include "services/executive/preparation.h"
 
 namespace prospect::services {

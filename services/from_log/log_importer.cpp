@@ -25,12 +25,13 @@ void LogImporter::TakeFrame(const LogEvent& event) {
   if (task_) run.SetTask(task_);
 }
 
-// It belongs to a run whose pictures are known.
-void LogImporter::TakeStatus(const LogEvent& event) {
-  const auto status = Decode<action_status_t>(event);
-  if (!status) return;
+// On actions: it belongs to a run whose pictures are known.
+template <class T>
+void LogImporter::TakeWord(const LogEvent& event) {
+  const std::optional<T> word = Decode<T>(event);
+  if (!word) return;
   for (RecordedRun* run : {current_.get(), previous_.get()}) {
-    if (run && run->episode_id() == status->episode_id) return run->Add(*status);
+    if (run && run->episode_id() == word->episode_id) return run->Add(*word);
   }
 }
 
@@ -40,7 +41,9 @@ void LogImporter::Take(const LogEvent& event) {
   } else if (event.channel == ChannelOf<label_t>()) {
     TakeFrame<label_t>(event);
   } else if (event.channel == ChannelOf<action_status_t>()) {
-    TakeStatus(event);
+    TakeWord<action_status_t>(event);
+  } else if (event.channel == ChannelOf<verdict_t>()) {
+    TakeWord<verdict_t>(event);
   } else if (event.channel == ChannelOf<task_t>()) {
     if (auto task = Decode<task_t>(event)) task_ = std::make_shared<task_t>(std::move(*task));
   }

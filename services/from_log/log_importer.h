@@ -50,7 +50,8 @@ class LogImporter {
   std::optional<T> Decode(const LogEvent& event);
   template <class T>
   void TakeFrame(const LogEvent& event);
-  void TakeStatus(const LogEvent& event);
+  template <class T>
+  void TakeWord(const LogEvent& event);
   RecordedRun& RunOf(std::int64_t episode_id, std::int64_t frame);
   void Finish(RecordedRun& run);
   ImportRow Import(RecordedRun& run);

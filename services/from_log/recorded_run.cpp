@@ -106,7 +106,7 @@ void RecordedRun::AppendFrame(std::int64_t frame, model::Trial& trial) const {
 }
 
 model::Trial RecordedRun::ToTrial() {
-  if (labels_.empty() && task_) labels_ = LabelsFrom(statuses_, *task_, last_frame_);
+  if (labels_.empty() && task_) labels_ = LabelsFrom(statuses_, verdicts_, *task_, last_frame_);
   const std::int64_t end = FindEnd();
   RequireWhole(end);
   model::Trial trial;

@@ -33,13 +33,15 @@ class RecordedRun {
   void Add(const observation_t& observation);
   void Add(const label_t& label);
   void Add(const action_status_t& status) { statuses_.push_back(status); }
+  void Add(const verdict_t& verdict) { verdicts_.push_back(verdict); }
   /// The TASK in force; the latest one given counts.
   void SetTask(std::shared_ptr<const task_t> task) { task_ = std::move(task); }
 
   /// The trial, as a collector would have written it for this scene, but for two things: its
   /// pictures are those that were on the bus, with the sensor's noise in them, and image_noise is
   /// therefore 0, so that no reader adds it again. Frames after the one that ended the trial are
-  /// left out. Where nobody said LABEL, ACTION_STATUS tells the same (LabelsFrom). A robot's trial
+  /// left out. Where nobody said LABEL, ACTION_STATUS and
+  /// VERDICT tell the same (LabelsFrom). A robot's trial
   /// is numbered by its episode's id, or, where that has more than nine digits, by a hash of it.
   /// @throws RunError when a frame or its label is missing, the trial did not end, or messages
   /// contradict each other
@@ -56,6 +58,7 @@ class RecordedRun {
   std::map<std::int64_t, observation_t> pictures_;
   std::map<std::int64_t, label_t> labels_;
   std::vector<action_status_t> statuses_;  // as they came
+  std::vector<verdict_t> verdicts_;
   std::shared_ptr<const task_t> task_;
 };
 

@@ -1,5 +1,6 @@
 #include "services/from_log/status_labels.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -18,7 +19,19 @@ struct Act {
 bool Ends(const action_status_t& status) {
   return status.state == action_status_t::STATE_SUCCEEDED ||
          status.state == action_status_t::STATE_FAILED ||
-         status.state == action_status_t::STATE_CANCELLED;
+         status.state == action_status_t::STATE_CANCELLED ||
+         status.state == action_status_t::STATE_ENDED;
+}
+
+// Of an action that the robot cannot judge.
+void TakeVerdict(const std::vector<verdict_t>& verdicts, Act* act) {
+  if (act->status.state != action_status_t::STATE_ENDED) return;
+  const auto said = std::find_if(verdicts.begin(), verdicts.end(), [act](const verdict_t& verdict) {
+    return std::pair(verdict.executive_id, verdict.command_id) == act->command;
+  });
+  if (said == verdicts.end()) return;
+  act->status.state =
+      said->succeeded ? action_status_t::STATE_SUCCEEDED : action_status_t::STATE_FAILED;
 }
 
 std::vector<Act> ActsOf(const std::vector<action_status_t>& statuses) {
@@ -48,6 +61,8 @@ void RequireKnown(const Act& act, bool last, const task_t& task) {
   if (!act.ended)
     throw RunError(last ? "the trial did not end" : "how " + name + " ended is missing");
   if (act.status.state == action_status_t::STATE_CANCELLED) throw RunError(name + " was cancelled");
+  if (act.status.state == action_status_t::STATE_ENDED)
+    throw RunError("nobody said whether " + name + " worked: record with run --ask");
 }
 
 // Of the trial, after `done` actions.
@@ -72,10 +87,12 @@ label_t BeforeAll(const task_t& task) {
 }  // namespace
 
 std::map<std::int64_t, label_t> LabelsFrom(const std::vector<action_status_t>& statuses,
+                                           const std::vector<verdict_t>& verdicts,
                                            const task_t& task, std::int64_t last_frame) {
   label_t label = BeforeAll(task);
   std::map<std::int64_t, label_t> labels = {{0, label}};
-  const std::vector<Act> acts = ActsOf(statuses);
+  std::vector<Act> acts = ActsOf(statuses);
+  for (Act& act : acts) TakeVerdict(verdicts, &act);
   std::int64_t frame = 0;  // on which the action begins: the one that ended the action before it
   for (std::size_t i = 0; i < acts.size(); ++i) {
     RequireKnown(acts[i], i + 1 == acts.size(), task);

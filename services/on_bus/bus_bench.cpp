@@ -6,6 +6,7 @@
 #include "services/common/common_options.h"
 #include "services/executive/between_trials.h"
 #include "services/executive/conversation.h"
+#include "services/executive/person.h"
 #include "services/executive/preparation.h"
 
 namespace prospect::services {
@@ -22,6 +23,7 @@ ExecutiveOptions OptionsOf(const cli::EvaluateOnBusOptions& asked) {
   Take(asked.episode, &options);
   options.out.clear();  // no files of a single episode
   options.reset = asked.reset;
+  options.ask = asked.ask;
   options.retries = asked.retries;
   if (asked.surprise) options.surprise = *asked.surprise;
   const bool asks = std::any_of(asked.rows.begin(), asked.rows.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/jigsaws/gestures.h"
+#include "planner/path.h"
 #include "report/video_reader.h"
 #include "services/binding/task_messages.h"
 
@@ -13,7 +14,6 @@ namespace {
 using model::jigsaws::kGestures;
 using model::segments::Span;
 
-constexpr int kLongestPlan = 32;      // of a TASK; a video may hold more gestures
 constexpr double kGestureLimit = 60;  // seconds that a gesture may take
 
 /// Index of the gesture that `frame` belongs to; -1 before the first.
@@ -46,7 +46,7 @@ task_t GestureTask(const std::string& name, double tick_seconds) {
     task.actions.push_back(row);
   }
   task.num_actions = kGestures;
-  task.plan_length = kLongestPlan;
+  task.plan_length = planner::kMaxPathLength;  // a video may hold more gestures
   task.repeats_allowed = 1;
   task.image_width = model::jigsaws::kWidth;
   task.image_height = model::jigsaws::kHeight;

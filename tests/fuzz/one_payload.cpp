@@ -103,7 +103,8 @@ const std::vector<Target>& Targets() {
       TargetOf<label_t>(),          TargetOf<model_info_t>(),     TargetOf<observation_t>(),
       TargetOf<plan_t>(),           TargetOf<predict_reply_t>(),  TargetOf<predict_request_t>(),
       TargetOf<search_image_t>(),   TargetOf<search_root_t>(),    TargetOf<search_statistics_t>(),
-      TargetOf<search_stop_t>(),    TargetOf<sim_command_t>(),    TargetOf<task_t>()};
+      TargetOf<search_stop_t>(),    TargetOf<sim_command_t>(),    TargetOf<task_t>(),
+      TargetOf<verdict_t>()};
   return kTargets;
 }
 

@@ -23,4 +23,13 @@ kill -INT %1
 wait %1 || true
 rm -rf "$root/tests/fuzz/corpus"
 "$build/tests/fuzz_split_log" "$work/log" "$root/tests/fuzz/corpus"
+# A simulator judges its actions itself, so nobody is asked: a person's word is made.
+mkdir "$root/tests/fuzz/corpus/verdict_t"
+PYTHONPATH="$build/share/python" python3 - "$root/tests/fuzz/corpus/verdict_t/1" <<'PYTHON'
+import sys
+from prospect import verdict_t
+word = verdict_t()
+word.utime, word.executive_id, word.command_id, word.episode_id, word.action, word.succeeded = 1764500000000000, 7 << 40, 3, 5 << 40, 2, True
+open(sys.argv[1], "wb").write(word.encode())
+PYTHON
 du -sh --apparent-size "$root/tests/fuzz/corpus"

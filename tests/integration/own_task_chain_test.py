@@ -15,10 +15,9 @@ import prospect
 import world
 
 BIN, ROBOT, TASK = sys.argv[1:4]
-TRIALS, SCENES, FIRST_SCENE = 1500, 60, 2000000
-ITERATIONS = 1000  # of T, the other networks in proportion: not minutes, so that a busy machine only takes longer
+TRIALS, SCENES, FIRST_SCENE = 2000, 60, 2000000
+ITERATIONS = 2000  # of T, the other networks in proportion: not minutes, so that a busy machine only takes longer
 ROLLOUTS = "100"  # of 12 actions eight may begin a plan: with fewer some plans are not followed to their end
-REFUSED = 0.2  # share of plans that work that may be refused: of so few trials no smaller one can be promised
 
 
 def hopeless(seed):
@@ -82,9 +81,8 @@ class Chain(unittest.TestCase):
                                  "--iterations", str(ITERATIONS))
         self.assertIn("whole plans, V times f", words)
         weights = self.path("weights/sorting.safetensors")
-        report, words = self.report("prospect-evaluate", "calibrate", "--task", TASK, "--weights", weights, "--data", data,
-                                    "--refuse-at-most", str(REFUSED))
-        self.assertGreater(report["plan"]["area_under_roc"], 0.7, words)
+        report, words = self.report("prospect-evaluate", "calibrate", "--task", TASK, "--weights", weights, "--data", data)
+        self.assertGreater(report["plan"]["area_under_roc"], 0.85, words)
         self.assertIn("of what can be done", words)
         return weights
 
@@ -95,8 +93,9 @@ class Chain(unittest.TestCase):
         for step in ("x1", "x2"):
             picture = report["pictures"][step]
             self.assertLess(picture["mae_changed"], picture["copy_mae_changed"], words)
+        self.assertGreater(report["rank"]["succeeded"]["above"], 0.7, words)
         self.assertEqual([row["name"] for row in report["f"]["actions"]], [world.name(i) for i in range(12)])
-        self.assertGreater(report["f"]["one"]["area_under_roc"], 0.75, words)
+        self.assertGreater(report["f"]["one"]["area_under_roc"], 0.9, words)
 
     def close_the_loop(self):
         report, words = self.report("prospect-evaluate", "on-bus", "--seed", str(FIRST_SCENE), "--episodes", str(SCENES),
@@ -110,8 +109,8 @@ class Chain(unittest.TestCase):
         self.assertEqual(len(report["records"]), SCENES)
         self.assertLessEqual(share(solvable, "random", "solved"), 0.45, words)
         self.assertGreaterEqual(share(lost, "planner", "refused"), 0.7, words)
-        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.5, words)
-        self.assertGreater(report["planner_minus_random_interval"][0], 0, words)
+        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.8, words)
+        self.assertGreater(report["planner_minus_random_interval"][0], 0.25, words)
         # Asked again it runs nothing again.
         again, _ = self.report("prospect-evaluate", "on-bus", "--seed", str(FIRST_SCENE), "--episodes", str(SCENES),
                                "--samples", ROLLOUTS, "--rows", "planner,random", "--out", self.path("loop"))

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
+#include "base/number_format.h"
+#include "model/refusal/risk_coverage.h"
 #include "tools/common/words.h"
 #include "tools/evaluate/simulated_world.h"
 
@@ -35,6 +38,25 @@ model::CalibrationScene SceneFrom(const SceneRecord& record) {
   scene.ending = EndingFrom(row.at("ending"));
   if (scene.attempted()) scene.score = std::clamp(row.at("score").get<double>(), 0.0, 1.0);
   return scene;
+}
+
+// The lowest threshold at which of this sample no more failed than was asked: what so few trials
+// can say where they promise nothing.
+std::optional<model::ThresholdEffect> LeastThatSeemed(const model::CalibrationSample& sample,
+                                                      double fail_at_most) {
+  std::optional<model::ThresholdEffect> least;
+  for (const model::ThresholdEffect& effect : model::RiskCoverageCurve(sample)) {
+    if (effect.risk <= fail_at_most) least = effect;
+  }
+  return least;
+}
+
+std::string SeenWords(const std::optional<model::ThresholdEffect>& seen) {
+  if (!seen) return "At no threshold did so few fail as was asked, so all is refused.";
+  return "In its place, and without a promise, the threshold is the lowest at which so few "
+         "failed: " +
+         base::Fixed(seen->threshold, 3) + ", with " + std::to_string(seen->failed) + " of " +
+         std::to_string(seen->attempted) + " attempted; more held-out trials can promise it.";
 }
 
 void Tell(const std::vector<std::string>& words) {
@@ -88,10 +110,16 @@ model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
   const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
   *words = promised.words;
   model::Calibration calibration;
-  calibration.refusal_threshold = promised.may_attempt ? promised.value : 1;
   calibration.alpha = promise.refuse_at_most;
-  calibration.epsilon = promise.fail_at_most;
   calibration.delta = promise.delta;
+  if (promised.may_attempt) {
+    calibration.refusal_threshold = promised.value;
+    calibration.epsilon = promise.fail_at_most;
+  } else {
+    const auto seen = LeastThatSeemed(sample, *promise.fail_at_most);
+    calibration.refusal_threshold = seen ? seen->threshold : 1;
+    words->push_back(SeenWords(seen));
+  }
   calibration.scenes = static_cast<int>(
       std::count_if(sample.scenes.begin(), sample.scenes.end(),
                     [](const auto& scene) { return scene.scene_class == SceneClass::kSolvable; }));

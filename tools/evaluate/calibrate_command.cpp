@@ -121,8 +121,8 @@ model::Promise PromiseFor(const cli::CalibrateOptions& options,
                           const model::CalibrationSample& sample) {
   model::Promise promise = PromiseAsked(options);
   if (options.promise.asked()) return promise;
-  for (const double share : {0.05, 0.1, 0.2, 0.3}) {
-    promise.refuse_at_most = share;
+  for (int percent = 5; percent <= 30; ++percent) {
+    promise.refuse_at_most = percent / 100.0;
     if (model::ThresholdFor(sample, promise).kept) break;
   }
   return promise;

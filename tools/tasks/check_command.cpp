@@ -12,6 +12,7 @@
 #include "cli/options/task.h"
 #include "cli/options/weights.h"
 #include "cli/report_file.h"
+#include "tasks/picture_size.h"
 #include "tasks/plan_check.h"
 #include "tools/common/task_training.h"
 #include "tools/data/commands.h"
@@ -26,17 +27,6 @@ std::vector<std::string> NamesOf(const sim::TaskSpec& spec, const std::vector<in
   return names;
 }
 
-// Of a picture that LCM sends in several datagrams.
-std::string SizeRemark(const sim::TaskSpec& spec) {
-  constexpr int kDatagramBytes = 65'000;
-  const int bytes = spec.image_width * spec.image_height * 3;
-  if (bytes <= kDatagramBytes) return "";
-  return "a picture has " + std::to_string(bytes / 1000) +
-         " kB and goes in several datagrams, of which LCM loses a picture on a network that "
-         "changes "
-         "their order: robot and planner on one machine, or at most 144x144";
-}
-
 std::vector<std::string> Remarks(const tasks::TaskFile& task) {
   std::vector<std::string> remarks;
   const auto never = NamesOf(task.spec, tasks::NeverReached(task.spec));
@@ -46,7 +36,8 @@ std::vector<std::string> Remarks(const tasks::TaskFile& task) {
     remarks.push_back("it has no goals, so that --goal cannot be used");
   if (task.spec.causes.empty())
     remarks.push_back("it has no causes, so that failures are told by the names the robot gives");
-  if (const std::string size = SizeRemark(task.spec); !size.empty()) remarks.push_back(size);
+  const std::string size = tasks::PictureSizeRemark(task.spec.image_width, task.spec.image_height);
+  if (!size.empty()) remarks.push_back(size);
   if (!std::filesystem::exists(cli::WeightsFile("", task.path)))
     remarks.push_back("no weights are bundled for '" + task.spec.name +
                       "': " + cli::Typed("train --task ") + task.path + " --data FILE makes them");

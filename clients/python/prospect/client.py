@@ -132,7 +132,8 @@ class Robot:
         return Picture(self.reply.width, self.reply.height, self.reply.data)
 
     def carry_out(self, action):
-        """Carries an action out, by index or name, to its end. True: it succeeded; else `status` says what became of it."""
+        """Carries an action out, by index or name, to its end. True: it succeeded; None: it ended, and the robot cannot tell;
+        else `status` says what became of it."""
         if isinstance(action, str):
             action = self.actions().index(action)
         command = self._command(action_command_t.KIND_START, action)
@@ -145,7 +146,7 @@ class Robot:
             raise
         last = self.status.frame
         self._until(lambda: self.picture.episode_id == self.status.episode_id and self.picture.frame >= last, NOTICE)
-        return self.status.state == action_status_t.STATE_SUCCEEDED
+        return None if self.status.state == action_status_t.STATE_ENDED else self.status.state == action_status_t.STATE_SUCCEEDED
 
     def close(self):
         """Lets go of the robot."""

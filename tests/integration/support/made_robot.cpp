@@ -1,7 +1,7 @@
 // A robot for tests, of whatever task a file describes: grey pictures with a bar for each action
 // that was done; every action takes five ticks and succeeds, but for one kind, if one is named.
 //
-//   made-robot FILE.yaml [--bus URL] [--plan-length N] [--fails KIND]
+//   made-robot FILE.yaml [--bus URL] [--plan-length N] [--fails KIND] [--judges no]
 //   made-robot FILE.yaml --trials N OUT.h5     writes random trials of the task and ends
 
 #include <algorithm>
@@ -33,6 +33,7 @@ constexpr int kTicks = 5;  // of an action
 
 struct Options {
   std::string file, bus, fails, out;
+  bool judges = true;  // whether it can tell how its actions ended
   int plan_length = 0, trials = 0;
 };
 
@@ -112,6 +113,7 @@ class MadeRobot {
       const bool fails = action.kind == options_.fails;
       status_.state = fails ? action_status_t::STATE_FAILED : action_status_t::STATE_SUCCEEDED;
       status_.reason = fails && !task_.causes.empty() ? task_.causes[0].name : "";
+      if (!options_.judges) status_.state = action_status_t::STATE_ENDED, status_.reason.clear();
       done_.push_back(status_.action);
     }
     Look();
@@ -187,6 +189,7 @@ int Run(int argc, char** argv) {
   for (int i = 2; i + 1 < argc; i += 2) {
     const std::string name = argv[i];
     if (name == "--bus") options.bus = argv[i + 1];
+    if (name == "--judges") options.judges = std::string(argv[i + 1]) != "no";
     if (name == "--fails") options.fails = argv[i + 1];
     if (name == "--plan-length") options.plan_length = std::atoi(argv[i + 1]);
     if (name == "--trials" && i + 2 < argc)

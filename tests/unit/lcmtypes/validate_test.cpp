@@ -113,15 +113,15 @@ TEST(Validate, Observation) {
 TEST(Validate, SearchRoot) {
   ExpectFaults<search_root_t>(
       Root(), {{"plan_length: out of range", [](auto& m) { m.plan_length = 0; }},
-               {"plan_length: out of range", [](auto& m) { m.plan_length = 33; }},
+               {"plan_length: out of range", [](auto& m) { m.plan_length = 65; }},
                {"time_left: not finite", [](auto& m) { m.time_left = kNan; }},
                {"rule: empty", [](auto& m) { m.rule = ""; }},
                {"parameter_values: not finite", [](auto& m) { m.parameter_values[0] = kNan; }},
-               {"depth: out of range", [](auto& m) { m.depth = 33; }},
+               {"depth: out of range", [](auto& m) { m.depth = 65; }},
                {"samples: below 1", [](auto& m) { m.samples = 0; }},
                {"leaves: below 1", [](auto& m) { m.leaves = 0; }},
                {"budget_ms: beyond ten years", [](auto& m) { m.budget_ms = kHuge; }},
-               {"num_executed: too many", [](auto& m) { m.num_executed = 33; }},
+               {"num_executed: too many", [](auto& m) { m.num_executed = 65; }},
                {"sharing: neither 0 nor 1", [](auto& m) { m.sharing = 2; }}});
 }
 
@@ -168,7 +168,7 @@ TEST(Validate, ExpandRequest) {
               {"num_paths: out of range", [](auto& m) { m.num_paths = 0; }},
               {"num_paths: out of range", [](auto& m) { m.num_paths = 257; }},
               {"budget_ms: beyond ten years", [](auto& m) { m.budget_ms = kHuge; }},
-              {"paths: bad path", [](auto& m) { m.paths[0].num_actions = 33; }}});
+              {"paths: bad path", [](auto& m) { m.paths[0].num_actions = 65; }}});
 }
 
 TEST(Validate, Label) {
@@ -199,12 +199,12 @@ TEST(Validate, Commands) {
               {"present_episode_id: negative", [](auto& m) { m.present_episode_id = -1; }},
               {"episode_id: below 1", [](auto& m) { m.episode_id = 0; }},
               {"objects: out of range", [](auto& m) { m.objects = -1; }},
-              {"legs: out of range", [](auto& m) { m.legs = 33; }}});
+              {"legs: out of range", [](auto& m) { m.legs = 65; }}});
 }
 
 TEST(Validate, StatusPlanAndHealth) {
   ExpectFaults<action_status_t>(action_status_t{},
-                                {{"state: unknown", [](auto& m) { m.state = 7; }},
+                                {{"state: unknown", [](auto& m) { m.state = 8; }},
                                  {"outcome: unknown", [](auto& m) { m.outcome = -1; }},
                                  {"action: out of range", [](auto& m) { m.action = -2; }}});
   plan_t plan{};
@@ -268,6 +268,10 @@ TEST(Validate, ModelAndPictures) {
                                   {{"want: neither 0 nor 1", [](auto& m) { m.want_image = 5; }}});
   ExpectFaults<search_stop_t>(search_stop_t{},
                               {{"epoch: negative", [](auto& m) { m.epoch = -1; }}});
+  ExpectFaults<verdict_t>(verdict_t{},
+                          {{"episode_id: negative", [](auto& m) { m.episode_id = -1; }},
+                           {"action: out of range", [](auto& m) { m.action = -1; }},
+                           {"succeeded: neither 0 nor 1", [](auto& m) { m.succeeded = 2; }}});
   search_image_t image{};
   image.encoding = observation_t::ENCODING_RGB8;
   image.width = image.height = 1;

@@ -25,8 +25,8 @@ TEST(DerivedConfig, MoreActionsTakeMoreIterationsBetweenBounds) {
 
 TEST(DerivedConfig, IsValidForEverySizeOfATask) {
   for (const int side : {32, 64, 128, 256}) {
-    for (const int actions : {1, 254}) {
-      for (const int length : {1, 32}) {
+    for (const int actions : {1, 255}) {
+      for (const int length : {1, 64}) {
         for (const std::size_t segments : {std::size_t{0}, std::size_t{1}, std::size_t{1} << 40})
           EXPECT_NO_THROW(Validate(DerivedConfig({side, 32, actions, length, segments})));
       }

@@ -128,6 +128,13 @@ const Case kCases[] = {
     {"Costar", [](NetworkConfig* c) { c->heads = "costar"; }},
     {"FiveChannels", [](NetworkConfig* c) { c->hidden_channels = 5; }},
     {"SixtyFourPixels", [](NetworkConfig* c) { c->image_width = c->image_height = 64; }},
+    {"SmallAndOblong", [](NetworkConfig* c) { c->image_width = 48, c->image_height = 32; }},
+    {"AsManyActionsAsThereMayBe", [](NetworkConfig* c) { c->num_actions = 255; }},
+    {"AsLargeAsPicturesMayBe",
+     [](NetworkConfig* c) {
+       c->image_width = c->image_height = 256;
+       c->transform_mask = true;
+     }},
     {"EverythingAtSuturingsSize",
      [](NetworkConfig* c) {
        c->image_width = 128, c->image_height = 96, c->num_actions = 15;

@@ -57,7 +57,7 @@ TEST(PathTree, RefusesForeignPaths) {
   EXPECT_THROW(PathTree(256), std::invalid_argument);
   PathTree tree(5);
   EXPECT_THROW(tree.Add(Path{5}), std::invalid_argument);
-  EXPECT_THROW(tree.Add(Path(33, 0)), std::invalid_argument);
+  EXPECT_THROW(tree.Add(Path(65, 0)), std::invalid_argument);
   EXPECT_EQ(tree.size(), 1);
 }
 
@@ -243,7 +243,7 @@ TEST(TaskRules, ValidateNamesTheFault) {
   EXPECT_THROW(rules.Validate(), std::invalid_argument) << "a goal without facts";
   rules.goal.num_facts = 1;
   EXPECT_THROW(rules.Prepare(), std::invalid_argument) << "and without effects";
-  EXPECT_THROW(AnyOrder(3, 33), std::invalid_argument);
+  EXPECT_THROW(AnyOrder(3, 65), std::invalid_argument);
   EXPECT_THROW(AnyOrder(0, 2), std::invalid_argument);
 }
 
@@ -253,7 +253,7 @@ TEST(SearchParameters, ValidateChecksRanges) {
   for (void (*spoil)(SearchParameters*) :
        {+[](SearchParameters* p) { p->c = 0; }, +[](SearchParameters* p) { p->c_done = 1.1; },
         +[](SearchParameters* p) { p->p_min = std::numeric_limits<double>::quiet_NaN(); },
-        +[](SearchParameters* p) { p->samples = 0; }, +[](SearchParameters* p) { p->depth = 33; },
+        +[](SearchParameters* p) { p->samples = 0; }, +[](SearchParameters* p) { p->depth = 65; },
         +[](SearchParameters* p) { p->rule = "uct"; }}) {
     SearchParameters bad;
     spoil(&bad);

@@ -56,6 +56,14 @@ TEST(Search, OneWorkerWithOneSeedGivesOneTree) {
   EXPECT_NE(TreeOf(1, 0, "paper"), TreeOf(1, 0, "puct"));
 }
 
+TEST(Search, LooksToTheEndOfTheLongestPlan) {
+  ScriptedModel model({kMaxActions, 3, 0.0, 0.0, 0.0});
+  Search search(AnyOrder(kMaxActions, kMaxPathLength), Samples(3), {}, Worker(0));
+  RunSearch(&search, &model);
+  EXPECT_EQ(search.rollouts(), 3);
+  EXPECT_EQ(search.BestPlan().best.steps.size(), static_cast<std::size_t>(kMaxPathLength));
+}
+
 TEST(Search, RefusesBadArguments) {
   SearchParameters bad;
   bad.rule = "none";

@@ -290,7 +290,7 @@ TEST(Refusals, RowsOutOfRange) {
   EXPECT_EQ(merge([](StatisticsRow* r) { r->value_sum = -1; }), 0);
   EXPECT_EQ(a.statistics.refusals().sum_range, 3);
   EXPECT_EQ(merge([](StatisticsRow* r) { r->path = {4}; }), 0);
-  EXPECT_EQ(merge([](StatisticsRow* r) { r->path = Path(33, 0); }), 0);
+  EXPECT_EQ(merge([](StatisticsRow* r) { r->path = Path(65, 0); }), 0);
   EXPECT_EQ(merge([](StatisticsRow* r) { r->writer = 0; }), 0);
   EXPECT_EQ(a.statistics.refusals().path, 3);
   EXPECT_EQ(a.statistics.rows(), 0);

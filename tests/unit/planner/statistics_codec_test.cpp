@@ -58,12 +58,25 @@ TEST(StatisticsCodec, EveryRowComesBack) {
   ExpectReturn(Empty());
   StatisticsBatch batch = Empty();
   batch.rows = {Row(7, {}, 0, 0, 0, 3),
-                Row(7, Path(32, 254), 1, kValueOne, kValueOne, 0),
-                Row(7, Path(32, 254), 3, 3 * kValueOne, kValueOne, 2'000'000'000),
+                Row(7, Path(kMaxPathLength, 254), 1, kValueOne, kValueOne, 0),
+                Row(7, Path(kMaxPathLength, 254), 3, 3 * kValueOne, kValueOne, 2'000'000'000),
                 Row(~0ull, {1}, std::int64_t{1} << 40, std::int64_t{1} << 59, 77, 0),
                 Row(9, {1, 2}, 2, 1, 1, 0),
                 Row(7, {1, 2, 3}, 2, 1, 0, 0)};
   ExpectReturn(batch);
+}
+
+// What shares more than a head can say costs what is written out, and budgets count it.
+TEST(StatisticsCodec, BudgetsCountTheLongestPaths) {
+  for (std::size_t length = 1; length <= kMaxPathLength; ++length) {
+    StatisticsBatch batch = Empty();
+    batch.rows = {Row(7, Path(length, 254), 1, 5, 5, 0)};
+    const std::size_t alone = PackRows(batch).size();
+    batch.rows.push_back(Row(7, Path(length, 254), 1, 5, 5, 0));
+    batch.rows.back().path.back() = 253;
+    EXPECT_EQ(PackRows(batch).size() - alone, RowBytes(batch.rows.back(), false)) << length;
+    ExpectReturn(batch);
+  }
 }
 
 TEST(StatisticsCodec, RandomRowsComeBack) {
@@ -71,9 +84,9 @@ TEST(StatisticsCodec, RandomRowsComeBack) {
   for (int trial = 0; trial < 200; ++trial) {
     StatisticsBatch batch = Empty();
     Path path;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 200; ++i) {
       if (!path.empty() && random() % 3 == 0) path.pop_back();
-      if (path.size() < 32 && random() % 2 == 0) path.push_back(random() % 255);
+      if (path.size() < kMaxPathLength && random() % 5 < 3) path.push_back(random() % 255);
       const auto visits = static_cast<std::int64_t>(random() % 200);
       const auto best = static_cast<std::int64_t>(random() % (kValueOne + 1));
       const std::int64_t sum = visits < 2 ? visits * best : static_cast<std::int64_t>(random());
@@ -110,7 +123,7 @@ TEST(StatisticsCodec, RefusesWhatIsNoRows) {
   EXPECT_TRUE(refused({0xff, 0xff, 0xff, 0xff, 0x0f}));        // a huge table
   EXPECT_TRUE(refused({0, 0x01, 0, 1, 0}));                    // shares what is not there
   EXPECT_TRUE(refused({0, 0x80, 1, 0, 0}));                    // a writer beyond the table
-  EXPECT_TRUE(refused({0, 0x00, 33}));                         // a path too long
+  EXPECT_TRUE(refused({0, 0x00, 65}));                         // a path too long
   EXPECT_TRUE(refused({0, 0x20, 3, 2, 5, 0x81, 0x80, 0x40}));  // v* above 1
   EXPECT_TRUE(refused({0, 0x20, 3, 0x80}));                    // a number cut short
   EXPECT_TRUE(refused({0, 0x20, 3, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f}));

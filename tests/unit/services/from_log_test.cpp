@@ -173,15 +173,18 @@ action_status_t Cancelled(std::int64_t frame) {
 /// A robot says no LABEL. Frames 1 and 2 are the first action's, 3 and 4 the second's.
 class FromStatus : public FromLog {
  protected:
-  void Write(const std::vector<action_status_t>& statuses) {
+  void Write(const std::vector<action_status_t>& statuses,
+             const std::vector<verdict_t>& verdicts = {}) {
     LogWriter log(path_);
     log.Write(Task());
     for (std::int64_t frame = 0; frame <= 4; ++frame) log.Write(Observation(7, frame));
     for (const action_status_t& status : statuses) log.Write(status);
+    for (const verdict_t& verdict : verdicts) log.Write(verdict);
   }
 
   static constexpr std::int8_t kRuns = action_status_t::STATE_RUNNING;
   static constexpr std::int8_t kSucceeded = action_status_t::STATE_SUCCEEDED;
+  static constexpr std::int8_t kEnded = action_status_t::STATE_ENDED;
 };
 
 TEST_F(FromStatus, AnActionBeginsOnThePictureThatEndedTheOneBefore) {
@@ -224,6 +227,50 @@ TEST_F(FromStatus, ARobotThatJudgesItsTaskIsBelieved) {
 TEST_F(FromStatus, ACancelledActionIsNoTrial) {
   Write({Status(0, 1, kRuns), Status(2, 1, kSucceeded), Status(2, 2, kRuns), Cancelled(3)});
   EXPECT_EQ(Refusal(), "b was cancelled");
+}
+
+verdict_t Said(std::int64_t command, bool succeeded) {
+  verdict_t m{};
+  m.executive_id = 1;
+  m.command_id = command;
+  m.episode_id = 7;
+  m.action = static_cast<std::int32_t>(command) - 1;
+  m.succeeded = succeeded ? 1 : 0;
+  return m;
+}
+
+TEST_F(FromStatus, APersonSaysWhatTheRobotCannotTell) {
+  const std::vector<action_status_t> statuses = {Status(0, 1, kRuns), Status(2, 1, kEnded),
+                                                 Status(2, 2, kRuns), Status(4, 2, kEnded)};
+  Write(statuses, {Said(1, true), Said(1, true), Said(2, true), Said(2, false)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].outcome, "success");
+  EXPECT_EQ(trials_[0].segment_succeeded, (std::vector<std::int8_t>{1, 1})) << "the first word";
+  EXPECT_EQ(trials_[0].frames(), 5);
+}
+
+TEST_F(FromStatus, WhatAPersonSaysFailedEndsTheTrial) {
+  Write({Status(0, 1, kRuns), Status(2, 1, kEnded), Status(2, 2, kRuns), Status(4, 2, kEnded)},
+        {Said(1, false)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].outcome, "failure");
+  EXPECT_EQ(trials_[0].reason, "");
+  EXPECT_EQ(trials_[0].segment_succeeded, (std::vector<std::int8_t>{0}));
+  EXPECT_EQ(trials_[0].frames(), 3);
+}
+
+TEST_F(FromStatus, NobodysWordIsNoWord) {
+  Write({Status(0, 1, kRuns), Status(2, 1, kEnded)}, {Said(2, true)});
+  EXPECT_EQ(Refusal(), "nobody said whether a worked: record with run --ask");
+}
+
+TEST_F(FromStatus, NobodyOverrulesARobotThatCanTell) {
+  Write({Status(0, 1, kRuns), Status(2, 1, action_status_t::STATE_FAILED)}, {Said(1, true)});
+  Import();
+  ASSERT_EQ(trials_.size(), 1u);
+  EXPECT_EQ(trials_[0].outcome, "failure");
 }
 
 TEST_F(FromStatus, ATrialThatDidNotEndIsRefused) {

@@ -136,7 +136,7 @@ std::vector<Mistake> Mistakes() {
       {"first: open_lid\n", "", "t.yaml:1: ", "'first' is missing"},
       {"fill: []", "fill: place(cup)", "t.yaml:12: ", "after 'open_lid' no plan can be complete"},
       {"plan_length: 6", "plan_length: 0", "t.yaml:16: ", "a whole number from 1 to"},
-      {"plan_length: 6", "plan_length: 1000", "t.yaml:16: ", "a whole number from 1 to"},
+      {"plan_length: 6", "plan_length: 65", "t.yaml:16: ", "a whole number from 1 to 64"},
       {"plan_length: 6", "plan_length: 2", "t.yaml:16: ", "they have 4, 6, 8"},
       {"plan_length: 6", "plan_length: 8", "t.yaml:16: ", "without repeating one of 6"},
       {"repeats_allowed: false", "repeats_allowed: maybe", "t.yaml:17: ", "true nor false"},

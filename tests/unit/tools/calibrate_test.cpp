@@ -64,11 +64,25 @@ TEST(CalibrationFromSample, StoresThePromiseAndItsThreshold) {
   EXPECT_EQ(words.size(), 1u);
 }
 
-TEST(CalibrationFromSample, WhatCannotBePromisedRefusesAll) {
+// Of too few scenes no share of failures can be promised; what they showed is taken and said.
+TEST(CalibrationFromSample, WhatCannotBePromisedGoesByWhatWasSeen) {
+  const auto sample =
+      SampleFrom({Record("solvable", "failed", 0.2), Record("solvable", "solved", 0.3),
+                  Record("solvable", "failed", 0.4), Record("solvable", "solved", 0.6),
+                  Record("solvable", "solved", 0.7), Record("solvable", "solved", 0.8)});
   std::vector<std::string> words;
-  const auto calibration =
-      CalibrationFrom(SampleFrom(Many()), {std::nullopt, 0.001, 0.1}, "", &words);
+  const auto calibration = CalibrationFrom(sample, {std::nullopt, 0.25, 0.1}, "", &words);
+  EXPECT_DOUBLE_EQ(calibration.refusal_threshold, 0.3);
+  EXPECT_FALSE(calibration.epsilon) << "nothing is promised";
+  EXPECT_NE(words.back().find("1 of 5 attempted"), std::string::npos) << words.back();
+}
+
+TEST(CalibrationFromSample, WhereAllFailsAllIsRefused) {
+  std::vector<std::string> words;
+  const auto calibration = CalibrationFrom(SampleFrom({Record("solvable", "failed", 0.9)}),
+                                           {std::nullopt, 0.25, 0.1}, "", &words);
   EXPECT_EQ(calibration.refusal_threshold, 1);
+  EXPECT_NE(words.back().find("all is refused"), std::string::npos) << words.back();
 }
 
 TEST(CoveredParameters, AreThoseThatChangeScores) {

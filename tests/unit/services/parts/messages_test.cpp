@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
+#include "lcmtypes/checked_codec.h"
+#include "lcmtypes/validate.h"
 #include "services/binding/calibration_messages.h"
 #include "services/binding/evaluation_messages.h"
 #include "services/binding/novelty_messages.h"
@@ -63,6 +66,27 @@ TEST(EvaluationMessages, SecondTripChangesNothing) {
   EXPECT_EQ(once.done, twice.done);
   EXPECT_EQ(once.q, twice.q);
   EXPECT_EQ(once.p, twice.p);
+}
+
+// The longest plan of the largest table: what a task may be, messages and their checks bear.
+TEST(EvaluationMessages, TheLargestTaskFits) {
+  const planner::Path path(planner::kMaxPathLength, 254);
+  planner::Evaluation evaluation;
+  evaluation.q.assign(255, 0.25F);
+  evaluation.p.assign(255, 0.75F);
+  std::vector<int> all(255);
+  std::iota(all.begin(), all.end(), 0);
+  expand_reply_t reply{};
+  reply.status = expand_reply_t::STATUS_OK;
+  reply.evaluations = {ToMessage(path, evaluation, all)};
+  reply.num_evaluations = 1;
+  EXPECT_EQ(messages::Validate(reply), "");
+  const auto bytes = messages::CheckedEncode(reply);
+  EXPECT_LT(bytes.size(), 1600U) << "so forty go into one datagram";
+  const auto back = messages::CheckedDecode<expand_reply_t>(bytes.data(), bytes.size());
+  ASSERT_TRUE(back.ok()) << back.reason;
+  EXPECT_EQ(back.value.evaluations.at(0).path.actions, path);
+  EXPECT_NEAR(FromMessage(back.value.evaluations[0], 255).p[254], 0.75F, 1.0 / 65535);
 }
 
 TEST(EvaluationMessages, ActionsBeyondTheTableAreLeftOut) {
