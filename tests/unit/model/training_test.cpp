@@ -31,6 +31,7 @@ constexpr int kTrials = 30;
 
 TrainConfig TinyConfig() {
   TrainConfig config;
+  config.precision = "float32";  // on every processor
   config.network.image_width = config.network.image_height = 32;
   config.network.num_actions = 3;
   config.mids_per_segment = 1;
@@ -581,7 +582,6 @@ TEST_F(TrainingTest, OnlyActionsThatTookPlaceArePaintedAndOnlySuccessesClassifie
   EXPECT_GT(both.at("classifier"), 0);
 
   SampleSet samples = trainer.context().samples;
-  for (SegmentSample& segment : samples.segments) segment.succeeded = false;
   TrainContext failed{config,
                       samples,
                       trainer.context().pictures,
@@ -589,6 +589,16 @@ TEST_F(TrainingTest, OnlyActionsThatTookPlaceArePaintedAndOnlySuccessesClassifie
                       trainer.context().networks,
                       torch::kCPU,
                       trainer.context().mean_picture};
+  double halves = 0;  // each row's own share, whichever rows are classified beside it
+  for (const std::size_t odd : {0, 1}) {
+    for (std::size_t i = 0; i < samples.segments.size(); ++i) {
+      samples.segments[i].succeeded =
+          i % 2 == odd && trainer.context().samples.segments[i].succeeded;
+    }
+    halves += PartsOfFirstBatch(failed).at("classifier");
+  }
+  EXPECT_NEAR(halves, both.at("classifier"), 1e-5);
+  for (SegmentSample& segment : samples.segments) segment.succeeded = false;
   const auto failures = PartsOfFirstBatch(failed);
   EXPECT_EQ(failures.at("l1_x2"), both.at("l1_x2"));
   EXPECT_EQ(failures.at("classifier"), 0);
