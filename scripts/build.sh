@@ -5,7 +5,7 @@
 # before.
 trains() {
   local target
-  for target; do case "$target" in prospect-train | prospect-figures | all) return 0 ;; esac; done
+  for target; do case "$target" in prospect-train | all) return 0 ;; esac; done
   return 1
 }
 

@@ -181,7 +181,7 @@ void Define(CLI::App& app, BenchTrainOptions& options) {
       ->capture_default_str();
   app.add_option("--precision", options.precision, "as train's")
       ->type_name("NAME")
-      ->check(OneOf({"float32", "mixed"}))
+      ->check(OneOf({"float32", "mixed", "auto"}))
       ->capture_default_str();
   DefineThreads(app, options.threads);
   app.add_option("--seconds", options.seconds, "about so long each stage is measured")

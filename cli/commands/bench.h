@@ -77,9 +77,9 @@ struct BenchPicksOptions {
 
 /// How fast training's stages run here, against the machine's matrix products.
 struct BenchTrainOptions {
-  std::string task = DefaultTask();   ///< its default configuration
-  std::string device = "cpu";         ///< or "cuda"
-  std::string precision = "float32";  ///< or "mixed"
+  std::string task = DefaultTask();  ///< its default configuration
+  std::string device = "cpu";        ///< or "cuda"
+  std::string precision = "auto";    ///< as train's
   int threads = 2;
   double seconds = 5;  ///< about so long each stage is measured
   ReportOptions report;

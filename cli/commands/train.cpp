@@ -91,10 +91,10 @@ void DefineConfiguration(CLI::App& app, TrainOptions& options) {
                  "JSON with what to change of the configuration (see --print-config)")
       ->type_name("FILE");
   app.add_option("--precision", options.precision,
-                 "mixed: convolutions in 16-bit bfloat, about twice as fast on CUDA and on "
-                 "processors with AVX512-BF16")
+                 "float32; mixed: convolutions in 16-bit bfloat, faster on CUDA and on processors "
+                 "with AVX512-BF16; auto: mixed on such processors")
       ->type_name("NAME")
-      ->check(OneOf({"float32", "mixed"}));
+      ->check(OneOf({"float32", "mixed", "auto"}));
   app.add_option("--labels", options.labels,
                  "what V, Q, p and f are taught: paper, or authors: as their code does it")
       ->type_name("NAME")

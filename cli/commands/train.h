@@ -27,7 +27,7 @@ struct TrainOptions {
   std::vector<std::string> fresh;    ///< stages whose networks are random all the same
   std::int64_t seed = -1;            ///< of weights, batches and dropout; -1: the task's own
   std::string config;                ///< JSON with what to change; empty: nothing
-  std::string precision;             ///< "float32" or "mixed"; empty: the task's own
+  std::string precision;             ///< "float32", "mixed" or "auto"; empty: the task's own
   std::string labels;                ///< "paper" or "authors"; empty: the task's own
   int threads = 2;                   ///< of the CPU
   std::vector<std::string> stages;   ///< only these; empty: all

@@ -26,7 +26,8 @@ torch::Tensor Finish(torch::Tensor x, InstanceNorm& norm, const torch::Tensor& m
                      const BlockOptions& options, bool training) {
   if (options.norm) x = norm->forward(x);
   if (modulation.defined()) x = Modulate(x, modulation);
-  x = Activate(x, options.activation);
+  // In its own place: nobody else has it, and maps are large.
+  x = options.activation == Activation::kRelu ? torch::relu_(x) : Activate(x, options.activation);
   return Dropout(x, options.dropout, training);
 }
 

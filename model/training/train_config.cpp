@@ -21,6 +21,15 @@ void RequireWeight(double weight, const std::string& name) {
   Require(weight >= 0 && weight <= kMostWeight, name + ": must be 0 to 1,000,000");
 }
 
+/// Whether this processor has AVX512-BF16, as those with AMX do, too.
+bool MultipliesBfloat() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx512bf16") != 0;
+#else
+  return false;
+#endif
+}
+
 void ValidateStage(const StageConfig& stage, const std::string& name) {
   Require(stage.iterations >= 0 && stage.iterations <= kMostIterations,
           name + ".iterations: must be 0 to 1,000,000,000");
@@ -42,11 +51,17 @@ void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config) {
   }
 }
 
+TrainConfig Resolved(TrainConfig config, const std::string& device) {
+  if (config.precision != "auto") return config;
+  config.precision = device == "cpu" && MultipliesBfloat() ? "mixed" : "float32";
+  return config;
+}
+
 void Validate(const TrainConfig& c) {
   Validate(c.network);
   Require(c.shards >= 1 && c.shards <= 64, "shards: must be 1 to 64");
-  Require(c.precision == "float32" || c.precision == "mixed",
-          "precision: must be float32 or mixed");
+  Require(c.precision == "float32" || c.precision == "mixed" || c.precision == "auto",
+          "precision: must be float32, mixed or auto");
   Require(c.mids_per_segment >= 0 && c.mids_per_segment <= 100,
           "mids_per_segment: must be 0 to 100");
   Require(c.augment == "none" || c.augment == "dihedral" || c.augment == "camera",

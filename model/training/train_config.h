@@ -29,9 +29,10 @@ struct TrainConfig {
   /// used.
   int shards = 2;
   double checkpoint_seconds = 60;
-  /// "float32" or "mixed" (model/networks/precision.h). How a stage is computed, not what: changing
-  /// it trains nothing anew, and a checkpoint goes on in the other one.
-  std::string precision = "float32";
+  /// "float32", "mixed" (model/networks/precision.h), or "auto": mixed on processors that multiply
+  /// bfloat, else float32. How a stage is computed, not what: changing it trains nothing anew, and
+  /// a checkpoint goes on in the other one.
+  std::string precision = "auto";
 
   int mids_per_segment =
       2;  ///< frames inside each segment that are used besides its start and goal
@@ -109,6 +110,10 @@ struct TrainConfig {
 
 /// Scales the iterations of every stage so that T's (hidden + image) become `transform_iterations`.
 void ScaleIterations(std::int64_t transform_iterations, TrainConfig* config);
+
+/// The configuration with the precision that "auto" stands for on `device` ("cpu" or "cuda") of
+/// this machine.
+TrainConfig Resolved(TrainConfig config, const std::string& device);
 
 /// Throws std::invalid_argument naming the field that is out of range or no number.
 void Validate(const TrainConfig& config);

@@ -223,7 +223,7 @@ struct Trainer::Impl {
   std::optional<TimeBudget> budget;  // where a person said how long it may take
 
   Impl(const TrainConfig& c, const TrainOptions& o)
-      : config(c),
+      : config(Resolved(c, o.device)),
         options(o),
         file(o.data),
         samples(ReadSamplesFor(file, c, o)),

@@ -1,10 +1,12 @@
 #include "model/training/transform_stages.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "base/hash.h"
 #include "model/training/adversary.h"
 #include "model/training/batches.h"
+#include "model/training/frozen_decoder.h"
 
 namespace prospect::model {
 namespace {
@@ -105,11 +107,43 @@ class TransformHiddenStage : public TransformStage {
   }
 };
 
+/// Some rows of a batch. A picture costs more than T does, so only those are painted, and only
+/// those classified, that a loss has a weight for; what a loss is stays the same.
+struct Rows {
+  std::vector<std::int64_t> of_batch;
+
+  bool none() const { return of_batch.empty(); }
+  template <typename T>
+  std::vector<T> Of(const std::vector<T>& all) const {
+    std::vector<T> some;
+    for (const std::int64_t row : of_batch) some.push_back(all[static_cast<std::size_t>(row)]);
+    return some;
+  }
+  torch::Tensor Of(const torch::Tensor& all) const {
+    if (static_cast<std::int64_t>(of_batch.size()) == all.size(0)) return all;
+    return all.index_select(0, torch::tensor(of_batch).to(all.device()));
+  }
+};
+
+/// Those where `weights` [B] is not zero.
+Rows RowsThatCount(const torch::Tensor& weights) {
+  Rows rows;
+  const torch::Tensor on_cpu = weights.cpu();
+  for (std::int64_t i = 0; i < on_cpu.size(0); ++i) {
+    if (on_cpu[i].item<float>() != 0) rows.of_batch.push_back(i);
+  }
+  return rows;
+}
+
 class TransformImageStage : public TransformStage {
  public:
   explicit TransformImageStage(const TrainContext& context) : TransformStage(context) {
     Freeze(context.networks.classifier.ptr().get());
     if (!context.config.finetune) Freeze(context.networks.decoder.ptr().get());
+    if (!context.config.finetune && context.device.is_cpu()) {
+      frozen_decoder_ =
+          std::make_unique<FrozenDecoder>(context.networks.decoder, context.config.network);
+    }
     if (context.config.adversary != "none") MakeAdversary();
   }
   std::string name() const override { return "transform-image"; }
@@ -149,9 +183,9 @@ class TransformImageStage : public TransformStage {
   }
 
  private:
-  /// What T imagined of one step, and what it should have.
+  /// What T imagined of one step, what it should have, and the weights of pixels.
   struct PicturePair {
-    torch::Tensor imagined, real;
+    torch::Tensor imagined, real, focus;
   };
 
   static void Freeze(torch::nn::Module* module) {
@@ -229,38 +263,61 @@ class TransformImageStage : public TransformStage {
     const torch::NoGradGuard no_grad;
     Decoder decoder = context_.networks.decoder;
     const torch::Tensor seen = View(context_.pictures.Get(batch.FirstSlots()), batch.Views());
-    return LightGain(seen.to(context_.device), decoder->forward(h0));
+    return LightGain(seen.to(context_.device),
+                     frozen_decoder_ ? (*frozen_decoder_)(h0) : decoder->forward(h0));
   }
 
+  /// A judge looks at all rows.
   PicturePair AddPictureLoss(const torch::Tensor& h, const torch::Tensor& gain,
                              const ChainBatch& batch, int step, LossParts* result) const {
-    Networks networks = context_.networks;
-    const std::vector<int> views = batch.Views();
-    const torch::Tensor raw = context_.pictures.Get(batch.GoalSlots(step)).to(context_.device);
-    const torch::Tensor goal = View(raw, views);
-    const torch::Tensor focus =
-        MovedAsView(PixelWeights(raw, context_.mean_picture, context_.config.focus), views);
-    const torch::Tensor x = networks.decoder->forward(h) * gain;
-    const torch::Tensor error = (x - goal).abs();
     const torch::Tensor weights = batch.Weights(step);
-    const torch::Tensor loss = ((error * focus).mean({1, 2, 3}) * weights).mean();
-    result->loss = result->loss + context_.config.picture_weight * loss;
-    result->parts.emplace_back("l1_x" + std::to_string(step + 1),
-                               (error.mean({1, 2, 3}) * weights).mean().item<double>());
-    if (step == 1 && context_.config.lambda > 0) AddClassifierLoss(x, batch, step, result);
-    return {x, goal};
+    const Rows rows = RowsThatCount(adversary_ ? torch::ones_like(weights) : weights);
+    PicturePair pair;
+    double l1 = 0;
+    if (!rows.none()) {
+      pair =
+          Paint(rows.Of(h), rows.Of(gain), rows.Of(batch.GoalSlots(step)), rows.Of(batch.Views()));
+      const torch::Tensor error = (pair.imagined - pair.real).abs();
+      const torch::Tensor share = rows.Of(weights) / static_cast<double>(batch.size());
+      const torch::Tensor loss = ((error * pair.focus).mean({1, 2, 3}) * share).sum();
+      result->loss = result->loss + context_.config.picture_weight * loss;
+      l1 = (error.mean({1, 2, 3}) * share).sum().item<double>();
+    }
+    result->parts.emplace_back("l1_x" + std::to_string(step + 1), l1);
+    if (step == 1 && context_.config.lambda > 0) {
+      AddClassifierLoss(pair.imagined, rows, batch, step, result);
+    }
+    return pair;
   }
 
-  void AddClassifierLoss(const torch::Tensor& x, const ChainBatch& batch, int step,
-                         LossParts* result) const {
-    Networks networks = context_.networks;
-    const torch::Tensor entropy = torch::cross_entropy_loss(
-        networks.classifier->forward(x), batch.Actions(step), {}, at::Reduction::None);
-    const torch::Tensor mean = (entropy * batch.Weights(step) * batch.Succeeded(step)).mean();
-    result->loss = result->loss + context_.config.lambda * mean;
-    result->parts.emplace_back("classifier", mean.item<double>());
+  PicturePair Paint(const torch::Tensor& h, const torch::Tensor& gain,
+                    const std::vector<int>& goals, const std::vector<int>& views) const {
+    Decoder decoder = context_.networks.decoder;
+    const torch::Tensor raw = context_.pictures.Get(goals).to(context_.device);
+    return {decoder->forward(h) * gain, View(raw, views),
+            MovedAsView(PixelWeights(raw, context_.mean_picture, context_.config.focus), views)};
   }
 
+  /// `x`: the pictures of the rows `painted`.
+  void AddClassifierLoss(const torch::Tensor& x, const Rows& painted, const ChainBatch& batch,
+                         int step, LossParts* result) const {
+    Classifier classifier = context_.networks.classifier;
+    const torch::Tensor weights = painted.Of(batch.Weights(step) * batch.Succeeded(step));
+    const Rows rows = RowsThatCount(weights);
+    double mean = 0;
+    if (!rows.none()) {
+      const torch::Tensor entropy = torch::cross_entropy_loss(
+          classifier->forward(rows.Of(x)), rows.Of(painted.Of(batch.Actions(step))), {},
+          at::Reduction::None);
+      const torch::Tensor loss =
+          (entropy * rows.Of(weights)).sum() / static_cast<double>(batch.size());
+      result->loss = result->loss + context_.config.lambda * loss;
+      mean = loss.item<double>();
+    }
+    result->parts.emplace_back("classifier", mean);
+  }
+
+  std::unique_ptr<FrozenDecoder> frozen_decoder_;  ///< null: it learns, or is on a GPU
   std::unique_ptr<Adversary> adversary_;
 };
 

@@ -231,6 +231,7 @@ json BenchTraining(const cli::BenchTrainOptions& options) {
   model::TrainConfig defaults = TrainConfigOf(cli::TaskOf(options.task));
   defaults.precision = options.precision;
   model::Validate(defaults);
+  defaults = model::Resolved(defaults, options.device);
   model::DeviceNamed(options.device);
   at::set_num_threads(1);  // shards are the parallelism, as in model::Trainer
   return Bench(options, defaults).Run();

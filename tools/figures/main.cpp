@@ -8,10 +8,10 @@
 #include "base/hash.h"
 #include "base/lock.h"
 #include "base/quiet.h"
+#include "base/run_main.h"
 #include "cli/program.h"
 #include "model/engine.h"
 #include "model/weights_error.h"
-#include "tools/common/torch_main.h"
 #include "tools/figures/drawings.h"
 
 namespace prospect::figures {
@@ -72,6 +72,6 @@ int Run(const Options& options) {
 int main(int argc, char** argv) {
   using namespace prospect;
   const std::vector<cli::Part> parts = {cli::Carries("", "figures", figures::Run)};
-  return tools::RunTorchMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-figures",
-                             kExitTaskFailure);
+  return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-figures",
+                 kExitTaskFailure);
 }

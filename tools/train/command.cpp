@@ -206,7 +206,7 @@ void TrainRuns(const cli::TrainOptions& a, const model::RecipeFile& recipe,
     const model::TrainConfig config = ConfigOf(a, run);
     weights = one.out + "/" + recipe.task + ".safetensors";
     const bool last = &run == &recipe.runs.back();
-    ended = ended && HasEnded(weights, config, data_hash);
+    ended = ended && HasEnded(weights, model::Resolved(config, a.device), data_hash);
     if (ended && !last) continue;
     if (a.report.talks()) std::fprintf(stderr, "run '%s'\n", run.name.c_str());
     model::TrainOptions options = RunOf(one);

@@ -34,5 +34,18 @@ TEST(DerivedConfig, IsValidForEverySizeOfATask) {
   }
 }
 
+TEST(Resolved, OnlyAutoDependsOnTheMachineAndOnlyOnTheCpu) {
+  TrainConfig config;
+  EXPECT_EQ(config.precision, "auto");
+  EXPECT_EQ(Resolved(config, "cuda").precision, "float32");
+  const std::string here = Resolved(config, "cpu").precision;
+  EXPECT_TRUE(here == "float32" || here == "mixed") << here;
+  for (const char* said : {"float32", "mixed"}) {
+    config.precision = said;
+    EXPECT_EQ(Resolved(config, "cpu").precision, said);
+    EXPECT_EQ(Resolved(config, "cuda").precision, said);
+  }
+}
+
 }  // namespace
 }  // namespace prospect::model

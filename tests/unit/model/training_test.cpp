@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "model/engine.h"
 #include "model/training/batches.h"
 #include "model/training/export.h"
+#include "model/training/frozen_decoder.h"
 #include "model/training/picture_stages.h"
 #include "model/training/scores.h"
 #include "model/training/stage.h"
@@ -28,6 +31,7 @@ constexpr int kTrials = 30;
 
 TrainConfig TinyConfig() {
   TrainConfig config;
+  config.precision = "float32";  // on every processor
   config.network.image_width = config.network.image_height = 32;
   config.network.num_actions = 3;
   config.mids_per_segment = 1;
@@ -555,6 +559,74 @@ TEST_F(TrainingTest, AnAdversaryTrainsAndItsKilledRunContinuesToTheSameWeights) 
   const std::string curves = Bytes(folder_ / "whole/curves.csv");
   EXPECT_NE(curves.find("transform-image,25,judge,"), std::string::npos);
   EXPECT_NE(curves.find("transform-image,25,l1_x2,"), std::string::npos);
+}
+
+// The parts of T's loss on pictures of one batch, by name.
+std::map<std::string, double> PartsOfFirstBatch(const TrainContext& context) {
+  const std::unique_ptr<Stage> stage = MakeTransformImageStage(context);
+  const LossParts loss = stage->Loss(0, 0, 1);
+  EXPECT_TRUE(loss.loss.requires_grad());
+  return {loss.parts.begin(), loss.parts.end()};
+}
+
+TEST_F(TrainingTest, OnlyActionsThatTookPlaceArePaintedAndOnlySuccessesClassified) {
+  TrainConfig config = TinyConfig();
+  config.repeat_last = false;
+  TrainOptions options = Options("run");
+  options.stages = {"classifier", "encoder-decoder", "transform"};
+  Trainer trainer(config, options);
+  trainer.Run();
+  const auto both = PartsOfFirstBatch(trainer.context());
+  EXPECT_GT(both.at("l1_x1"), 0);
+  EXPECT_GT(both.at("l1_x2"), 0);
+  EXPECT_GT(both.at("classifier"), 0);
+
+  SampleSet samples = trainer.context().samples;
+  TrainContext failed{config,
+                      samples,
+                      trainer.context().pictures,
+                      trainer.context().hidden,
+                      trainer.context().networks,
+                      torch::kCPU,
+                      trainer.context().mean_picture};
+  double halves = 0;  // each row's own share, whichever rows are classified beside it
+  for (const std::size_t odd : {0, 1}) {
+    for (std::size_t i = 0; i < samples.segments.size(); ++i) {
+      samples.segments[i].succeeded =
+          i % 2 == odd && trainer.context().samples.segments[i].succeeded;
+    }
+    halves += PartsOfFirstBatch(failed).at("classifier");
+  }
+  EXPECT_NEAR(halves, both.at("classifier"), 1e-5);
+  for (SegmentSample& segment : samples.segments) segment.succeeded = false;
+  const auto failures = PartsOfFirstBatch(failed);
+  EXPECT_EQ(failures.at("l1_x2"), both.at("l1_x2"));
+  EXPECT_EQ(failures.at("classifier"), 0);
+
+  // Every trial as if it ended with the action that a chain begins with.
+  samples.trials.clear();
+  for (int i = 0; i < static_cast<int>(samples.segments.size()); ++i) {
+    samples.trials.push_back(trainer.context().trial(trainer.context().segment(i).trial));
+    samples.trials.back().first_segment = i;
+    samples.trials.back().segments = 1;
+    samples.segments[static_cast<std::size_t>(i)].trial = i;
+  }
+  const auto singles = PartsOfFirstBatch(failed);
+  EXPECT_EQ(singles.at("l1_x1"), both.at("l1_x1"));
+  EXPECT_EQ(singles.at("l1_x2"), 0);
+}
+
+TEST(FrozenDecoder, PaintsAsTheDecoderDoesAndEachPictureAsIfAlone) {
+  const TrainConfig config = TinyConfig();
+  torch::manual_seed(3);
+  Decoder decoder(config.network);
+  decoder->eval();
+  const FrozenDecoder frozen(decoder, config.network);
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor h = torch::rand({3, 8, 4, 4});
+  const torch::Tensor pictures = frozen(h);
+  EXPECT_LT((pictures - decoder->forward(h)).abs().max().item<float>(), 1e-4F);
+  EXPECT_TRUE(frozen(h.narrow(0, 1, 1)).equal(pictures.narrow(0, 1, 1)));
 }
 
 TEST_F(TrainingTest, EncoderAndDecoderLearnOnWithTheTransformIfAsked) {
