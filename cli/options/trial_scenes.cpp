@@ -6,7 +6,8 @@ namespace prospect::cli {
 
 void DefineTrialScenes(CLI::App& app, TrialSceneOptions& scenes) {
   app.add_option("--objects", scenes.objects,
-                 "navigation: objects on the site; mixed: 4 to 7 at equal shares")
+                 "navigation: objects on the site; mixed: half of all trials have 4, the others 4 "
+                 "to 7")
       ->type_name("N")
       ->check(OneOf({"4", "5", "6", "7", "mixed"}))
       ->capture_default_str();

@@ -151,16 +151,17 @@ void Pack(const cli::CollectOptions& options) {
 
 sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_t seed) {
   base::Random random(base::MixSeeds({seed, kSceneStream}));
+  const bool plain = random.Uniform() < 0.5;
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
   scene.tower = scenes.tower;
   scene.scene_file = scenes.scene_file;
-  scene.objects =
-      scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects) : any_objects;
+  scene.objects = scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects)
+                                           : (plain ? 4 : any_objects);
   if (scenes.legs != kMixed) {
     scene.legs = NumberOrRefuse("legs", scenes.legs);
     if (scenes.objects == kMixed) scene.objects = std::max(scene.objects, scene.legs);
-  } else {
+  } else if (!plain) {
     scene.legs = 3 + random.Below(std::min(5, scene.objects) - 2);
   }
   return scene;
