@@ -37,6 +37,7 @@ void EpisodeView::Begin(std::int64_t episode_id) {
   frame_ = -1;
   status_.reset();
   plan_.reset();
+  first_plan_.reset();
   acts_.clear();
   searches_.clear();
   acts_before_search_ = 0;
@@ -106,6 +107,7 @@ void EpisodeView::Hear(const action_status_t& status) {
 
 void EpisodeView::Hear(const plan_t& plan) {
   if (plan.episode_id != id_) return;
+  if (!first_plan_) first_plan_ = plan;
   plan_ = plan;
   refused_ = plan.decision == plan_t::DECISION_REFUSE;
   executive_ = plan.executive_id;
@@ -165,6 +167,12 @@ json EpisodeView::ToJson() const {
             {"rollouts", plan_->rollouts},
             {"steps", steps}};
   }
+  json first;
+  if (first_plan_) {
+    json path = json::array();
+    for (const auto& step : first_plan_->steps) path.push_back(step.action);
+    first = {{"search", std::to_string(first_plan_->search_id)}, {"path", path}};
+  }
   json status;
   if (status_) {
     status = {{"state", StateText(status_->state)},
@@ -178,6 +186,7 @@ json EpisodeView::ToJson() const {
           {"frame", frame_},
           {"status", status},
           {"plan", plan},
+          {"first", first},
           {"acts", acts},
           {"searches", searches},
           {"outcome", outcome_},

@@ -65,7 +65,7 @@ class EpisodeView {
   std::int64_t id_ = -1, frame_ = -1, picture_utime_ = 0;
   PicturePtr camera_;
   std::optional<action_status_t> status_;
-  std::optional<plan_t> plan_;
+  std::optional<plan_t> plan_, first_plan_;
   std::vector<Act> acts_;
   std::vector<std::int64_t> searches_;  // in order
   std::int64_t executive_ = 0;

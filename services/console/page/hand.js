@@ -28,7 +28,7 @@ export class Hand {
   }
 
   update(facts) {
-    by('hand').hidden = !facts.control;
+    by('hand').hidden = by('buttons').hidden = !facts.control;
     if (!facts.control) return;
     const { may, run } = facts;
     by('run').disabled = may.run !== '';

@@ -18,7 +18,7 @@ import { actionName, count, fixed } from './words.js';
 
 const kLatencies = 500;
 
-const known = { facts: null, state: null, bus: null, first: null };
+const known = { facts: null, state: null, bus: null };
 const latencies = [];
 let connection = null;
 let repaint = false;
@@ -37,18 +37,14 @@ const treeView = new TreeView(tree, pictures, {
   select: (node) => nodePanel.show(known.state?.task, node, true),
   hover: (node) => node && nodePanel.show(known.state?.task, node),
 });
-const openTab = setUpTabs(document.querySelector('[role="tablist"]'), () => { repaint = true; });
+const openTab = setUpTabs(document.querySelector('[role="tablist"]'), (id) => {
+  if (id === 'tab-whatif') whatIfPanel.update();
+  repaint = true;
+});
 
 function whatIf(path) {
   whatIfPanel.open(path);
   openTab('tab-whatif');
-}
-
-// The plan that the episode set out with, for the strip's first row: that of its first search.
-function noteFirst(meta) {
-  const { state } = known;
-  if (!meta || !state || state.episode.searches[0] !== meta.id || !meta.best.path.length) return;
-  known.first = { search: meta.id, path: meta.best.path };
 }
 
 function takeSearch(message) {
@@ -67,7 +63,6 @@ function takeSearch(message) {
   if (rows) tree.take(rows);
   if (search) {
     tree.meta = search;
-    noteFirst(search);
     refusal.update(known.state?.task, tree);
   }
   if (!rows && !search) return;
@@ -77,7 +72,6 @@ function takeSearch(message) {
 }
 
 function takeState(state) {
-  if (known.state && known.state.episode.id !== state.episode.id) known.first = null;
   const task = JSON.stringify(state.task);
   known.state = state;
   treeView.task = state.task;
@@ -112,7 +106,7 @@ const takers = {
     showHappening(message.happening);
     takeSearch(message);
     if (message.state || message.search) showScene(known.state, tree.meta);
-    if (message.state || message.search) strip.update(known.state, known.first);
+    if (message.state) strip.update(known.state);
     if (message.bus) {
       known.bus = message.bus;
       busView.update(known.bus, known.facts);
@@ -152,8 +146,10 @@ const takers = {
 function tellConnection() {
   const { missed } = known;
   const late = latencies.length ? `, ${fixed(d3.median(latencies), 0)} ms behind the bus` : '';
-  const lost = missed ? `, ${count(missed.pictures)} pictures passed over${missed.stalled_s ? `, stalled for ${fixed(missed.stalled_s, 1)} s` : ''}` : '';
-  setText(by('connection'), `${known.connection}${late}${lost}`);
+  const lost = missed ? `${count(missed.pictures)} camera pictures left out (10 a second are shown)${missed.stalled_s ? `, stalled for ${fixed(missed.stalled_s, 1)} s` : ''}` : '';
+  if (missed?.stalled_s) known.connection = `connected; this page had stalled for ${fixed(missed.stalled_s, 1)} s`;
+  setText(by('connection'), known.connection + late);
+  by('connection').title = lost;
 }
 
 by('search-pick').onchange = (event) => say({ t: 'watch', search: event.target.value || null });
@@ -163,7 +159,7 @@ setInterval(() => {
   if (!repaint) return;
   repaint = false;
   treeView.touch();
-  strip.update(known.state, known.first);
+  strip.update(known.state);
   refusal.paint();
   whatIfPanel.paint();
 }, 80);

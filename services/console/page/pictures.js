@@ -68,19 +68,21 @@ export class Pictures {
     this.arrived();
   }
 
-  // The picture, or null; then it is asked for.
-  get(search, path) {
+  // The picture, or null; then it is asked for. Urgent ones are drawn first: the last is asked for
+  // first.
+  get(search, path, urgent = false) {
     const key = `${search}/${pathKey(path)}`;
     const picture = this.kept.get(key);
     if (picture) return picture;
     if (search && search !== '0' && !this.asked.has(key)) {
       this.asked.add(key);
-      this.waiting.push({ search, path });
+      this.waiting.push({ search, path, urgent });
     }
     return null;
   }
 
   ask() {
+    this.waiting.sort((a, b) => a.urgent - b.urgent);
     const search = this.waiting.at(-1)?.search;
     if (!search) return;
     const now = this.waiting.filter((wish) => wish.search === search).slice(-kMostAtOnce);

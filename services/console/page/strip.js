@@ -29,11 +29,11 @@ export class Strip {
     return steps;
   }
 
-  update(state, first) {
+  update(state) {
     if (!state?.task) return;
     const steps = this.steps(state);
     if (this.columns.length !== steps.length) this.build(steps.length);
-    steps.forEach((step, i) => this.fill(this.columns[i], step, i, state, first));
+    steps.forEach((step, i) => this.fill(this.columns[i], step, i, state));
   }
 
   build(count) {
@@ -52,12 +52,13 @@ export class Strip {
     return el('canvas', { class: 'picture', role: 'img' });
   }
 
-  fill(column, step, i, state, first) {
+  fill(column, step, i, state) {
     const { task, episode } = state;
+    const { first } = episode;
     const name = actionName(task, step.action);
     column.name.textContent = name;
-    const before = first && first.path.length > i && first.path[i] === step.action ? this.pictures.get(first.search, first.path.slice(0, i + 1)) : null;
-    const again = step.act ? this.pictures.get(step.act.search, step.act.path) : this.pictures.get(step.ahead.search, step.ahead.path);
+    const before = first && first.path.length > i && first.path[i] === step.action ? this.pictures.get(first.search, first.path.slice(0, i + 1), true) : null;
+    const again = step.act ? this.pictures.get(step.act.search, step.act.path, true) : this.pictures.get(step.ahead.search, step.ahead.path, true);
     const seen = this.seen.get(`${episode.id}/${i}`) ?? null;
     this.put(column.before, before, `${name}, imagined before setting out`);
     this.put(column.again, again, `${name}, imagined again`);

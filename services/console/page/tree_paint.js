@@ -105,7 +105,7 @@ export function paintTree(paint) {
     drawn.push(node);
     if (node.folded || node.sx - level > width) continue;
     // Thinner than a pixel and a half: one stroke stands for all that is below.
-    if ((node.bottom - node.top) * row < 1.5 && node.children.length) {
+    if (node.bottom > node.top && (node.bottom - node.top) * row < 1.5) {
       const heir = node.children[0];
       heir.sx = paint.x(heir.x);
       heir.sy = node.sy;
