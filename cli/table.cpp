@@ -60,9 +60,9 @@ std::vector<Command> RunCommands() {
 
 std::vector<Command> LookCommands() {
   return {
-      Row<ConsoleOptions>("console",
-                          "a page in the browser: what it sees, imagines and does, live or from a log",
-                          "prospect-console"),
+      Row<ConsoleOptions>(
+          "console", "a page in the browser: what it sees, imagines and does, live or from a log",
+          "prospect-console"),
       Row<StatusOptions>("status",
                          "each process: state, age of its last sign of life, queue, restarts",
                          "prospect-bus", {"status"}),

@@ -91,12 +91,12 @@ void BusSource::Listen() try {
   failed_ = true;
 }
 
-void BusSource::WantPicture(std::int64_t search_id, const planner::Path& path) {
+void BusSource::WantPicture(std::int64_t search_id, const planner::Path& path, bool urgent) {
   const std::lock_guard<std::mutex> lock(mutex());
   const SearchView* search = model_.Find(search_id);
   if (!search || !search->Legal(path)) return;
   if (model_.pictures().Find(PictureKey(search_id, path))) return;
-  asker_.Want({search_id, search->root().epoch, path});
+  asker_.Want({search_id, search->root().epoch, path}, urgent);
 }
 
 void BusSource::Tick() {

@@ -36,7 +36,7 @@ class BusSource : public Source {
 
   ConsoleModel& model() override { return model_; }
   nlohmann::json Facts() override;
-  void WantPicture(std::int64_t search_id, const planner::Path& path) override;
+  void WantPicture(std::int64_t search_id, const planner::Path& path, bool urgent) override;
   std::string Do(const std::string& what, const nlohmann::json& request) override;
   void Tick() override;
 

@@ -22,7 +22,7 @@ class LogSource : public Source {
 
   ConsoleModel& model() override { return *model_; }
   nlohmann::json Facts() override;
-  void WantPicture(std::int64_t, const planner::Path&) override {}
+  void WantPicture(std::int64_t, const planner::Path&, bool) override {}
   /// "play" {playing, speed}, "seek" {at_us, since the beginning}, "step" {by: -1 or 1}.
   std::string Do(const std::string& what, const nlohmann::json& request) override;
   void Tick() override;

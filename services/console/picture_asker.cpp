@@ -12,9 +12,10 @@ constexpr std::size_t kMostKnown = 100'000;
 
 }  // namespace
 
-void PictureAsker::Want(const Wish& wish) {
+void PictureAsker::Want(const Wish& wish, bool urgent) {
   if (known_.size() >= kMostKnown) known_.clear();
   if (!known_.insert(PictureKey(wish.search_id, wish.path)).second) return;
+  if (urgent) return urgent_.push_back(wish);
   waiting_.push_front(wish);
   if (waiting_.size() <= kMostWaiting) return;
   known_.erase(PictureKey(waiting_.back().search_id, waiting_.back().path));
@@ -30,11 +31,12 @@ void PictureAsker::Turn(std::int64_t now_ms, bool searching,
   if (asked_ && now_ms - asked_ms_ < kTimeoutMs) return;
   if (searching && now_ms - asked_ms_ < kWhileSearchingMs) return;
   if (asked_ && ++attempt_ >= kMostAttempts) asked_.reset();
-  while (!asked_ && !waiting_.empty()) {
-    if (!there(waiting_.front())) asked_ = waiting_.front(), ++request_id_, attempt_ = 0;
+  while (!asked_ && !Line()->empty()) {
+    const Wish wish = Line()->front();
+    Line()->pop_front();
+    if (!there(wish)) asked_ = wish, ++request_id_, attempt_ = 0;
     // Dropped from memory later, it may be asked for again.
-    if (!asked_) known_.erase(PictureKey(waiting_.front().search_id, waiting_.front().path));
-    waiting_.pop_front();
+    if (!asked_) known_.erase(PictureKey(wish.search_id, wish.path));
   }
   if (!asked_) return;
   asked_ms_ = now_ms;

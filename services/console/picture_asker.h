@@ -31,8 +31,9 @@ class PictureAsker {
     planner::Path path;
   };
 
-  /// The latest wishes come first: they are what is in view. Each is asked for once.
-  void Want(const Wish& wish);
+  /// Urgent ones come first, in their order: a model server holds only the latest searches. Of the
+  /// others the latest, which are what is in view. Each is asked for once.
+  void Want(const Wish& wish, bool urgent);
   /// An answer of a server, to whomever.
   void Hear(const predict_reply_t& reply);
   /// @param searching whether a search is under way @param there whether somebody has this picture
@@ -40,9 +41,11 @@ class PictureAsker {
   void Turn(std::int64_t now_ms, bool searching, const std::function<bool(const Wish&)>& there);
 
  private:
+  std::deque<Wish>* Line() { return urgent_.empty() ? &waiting_ : &urgent_; }
+
   std::int64_t client_id_;
   std::function<void(const predict_request_t&)> say_;
-  std::deque<Wish> waiting_;
+  std::deque<Wish> urgent_, waiting_;
   std::unordered_set<std::string> known_;  // asked for, or waiting
   std::optional<Wish> asked_;
   std::int64_t request_id_ = 0, asked_ms_ = -kTimeoutMs;

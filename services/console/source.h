@@ -26,7 +26,8 @@ class Source {
   virtual nlohmann::json Facts() = 0;
 
   /// An imagined picture that somebody wants to see and the model does not have.
-  virtual void WantPicture(std::int64_t search_id, const planner::Path& path) = 0;
+  /// @param urgent before others
+  virtual void WantPicture(std::int64_t search_id, const planner::Path& path, bool urgent) = 0;
 
   /// What a viewer asks for besides looking ("run", "stop", "judge", "seek", ...).
   /// @return what is wrong with it, for a person; empty: it is done, or under way

@@ -75,17 +75,15 @@ void Viewer::Obey(const json& request) {
   if (!wrong.empty()) Control({{"t", "wrong"}, {"of", what}, {"words", wrong}});
 }
 
-// Only what is in view now: what was wanted before and has not come is forgotten.
 void Viewer::Want(const json& request) {
   const std::int64_t search = IdFrom(request.at("search"));
   const json& paths = request.at("paths");
   if (!paths.is_array() || paths.size() > kMostPathsPerRequest)
     throw std::invalid_argument("too many paths");
-  if (request.value("only", false)) feed_.WantNothing();
   for (const json& value : paths) {
     const planner::Path path = PathFrom(value);
     feed_.Want(search, path);
-    source_.WantPicture(search, path);
+    source_.WantPicture(search, path, request.value("urgent", false));
   }
 }
 

@@ -32,8 +32,6 @@ class ViewerFeed {
   void Watch(std::int64_t search_id);
   /// An imagined picture that the page wants to show, told once it is there.
   void Want(std::int64_t search_id, const planner::Path& path);
-  /// No more of what was wanted and has not come.
-  void WantNothing() { wanted_.clear(); }
 
   /// To be called when something was heard: how long the viewer's data wait is counted from then.
   void NoteNews(const ConsoleModel& model);

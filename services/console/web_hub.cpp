@@ -2,7 +2,6 @@
 
 #include <boost/asio/post.hpp>
 
-
 #include "base/exit_error.h"
 #include "services/common/signals.h"
 #include "services/console/web_connection.h"
@@ -14,6 +13,9 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kTick(50), kAcceptAgain(100);
+
+// What the kernel may hold for a viewer that stalls: more would only be old when it reads on.
+constexpr int kSendBytes = 128 << 10;
 
 // Binds and listens. @return the port that it is
 unsigned short Listen(tcp::acceptor* acceptor, const WebOptions& options) try {
@@ -47,6 +49,7 @@ void WebHub::Accept() {
     }
     boost::system::error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
+    socket.set_option(tcp::socket::send_buffer_size(kSendBytes), ignored);
     if (waiting_.size() >= WebServer::kMostWaiting) {
       const auto oldest = waiting_.front();
       waiting_.pop_front();

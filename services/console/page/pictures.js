@@ -68,8 +68,7 @@ export class Pictures {
     this.arrived();
   }
 
-  // The picture, or null; then it is asked for. Urgent ones are drawn first: the last is asked for
-  // first.
+  // The picture, or null; then it is asked for. Urgent ones are asked for first.
   get(search, path, urgent = false) {
     const key = `${search}/${pathKey(path)}`;
     const picture = this.kept.get(key);
@@ -82,11 +81,12 @@ export class Pictures {
   }
 
   ask() {
-    this.waiting.sort((a, b) => a.urgent - b.urgent);
-    const search = this.waiting.at(-1)?.search;
-    if (!search) return;
-    const now = this.waiting.filter((wish) => wish.search === search).slice(-kMostAtOnce);
+    const next = this.waiting.find((wish) => wish.urgent) ?? this.waiting.at(-1);
+    if (!next) return;
+    const { search, urgent } = next;
+    const alike = this.waiting.filter((wish) => wish.search === search && wish.urgent === urgent);
+    const now = urgent ? alike.slice(0, kMostAtOnce) : alike.slice(-kMostAtOnce);
     this.waiting = this.waiting.filter((wish) => !now.includes(wish));
-    this.say({ t: 'want', search, paths: now.map((wish) => wish.path) });
+    this.say({ t: 'want', search, urgent, paths: now.map((wish) => wish.path) });
   }
 }

@@ -58,7 +58,7 @@ export class Strip {
     const name = actionName(task, step.action);
     column.name.textContent = name;
     const before = first && first.path.length > i && first.path[i] === step.action ? this.pictures.get(first.search, first.path.slice(0, i + 1), true) : null;
-    const again = step.act ? this.pictures.get(step.act.search, step.act.path, true) : this.pictures.get(step.ahead.search, step.ahead.path, true);
+    const again = step.act ? this.pictures.get(step.act.search, step.act.path, true) : this.pictures.get(step.ahead.search, step.ahead.path);
     const seen = this.seen.get(`${episode.id}/${i}`) ?? null;
     this.put(column.before, before, `${name}, imagined before setting out`);
     this.put(column.again, again, `${name}, imagined again`);

@@ -15,6 +15,7 @@ sys.dont_write_bytecode = True
 os.environ["PROSPECT_TEST_BIN"] = sys.argv[1]
 import browser
 import deployment
+import recording
 from deployment import program, until
 
 SEED = 2000000
@@ -151,18 +152,46 @@ class ConsoleInABrowser(unittest.TestCase):
             player.stop()
 
     def test_7_names_of_the_bus_never_become_markup(self):
-        sorting = os.path.join(self.folder, "evil.py")
-        self.assertTrue(program("prospect-console"))
-        del sorting  # see safety_test.py: names are text there; here the page's own elements
-        self.page.js("""const { task } = prospect.known.state;
-const name = '<img src=x onerror="window.harmed = true"><script>window.harmed = true</script>';
-task.actions.forEach((action) => { action.name = name; action.object = name; });
-for (const cause of Object.keys(task.causes)) task.causes[cause] = name;""")
-        for tab in ("tab-node", "tab-whatif", "tab-refusal", "tab-bus"):
-            self.page.click(tab)
-        run(self.page, seed=SEED, samples=50)
-        self.assertIsNone(self.page.js("return window.harmed ?? null"))
-        self.assertEqual(self.page.js("return document.querySelectorAll('main img').length"), 0)
+        log = os.path.join(self.folder, "evil.lcmlog")
+        recording.write(log)
+        player = deployment.Console(self.folder, "--log", log)
+        try:
+            with browser.Browser() as page:
+                open_page(page, player.url)
+                until(lambda: page.js("const f = prospect.known.facts; return f.at_us === f.length_us && !f.reading"), "the end")
+                until(lambda: page.js("return prospect.known.state.episode.acts.length"), "an action")
+                for tab in ("tab-node", "tab-whatif", "tab-refusal", "tab-bus"):
+                    page.click(tab)
+                shown = page.js("return document.body.textContent")
+                self.assertGreater(shown.count(recording.EVIL), 3, "names are shown as they are")
+                self.assertIsNone(page.js("return window.harmed ?? null"))
+                self.assertEqual(page.js("return document.querySelectorAll('body img, body script').length"), 0)
+                self.assertEqual(page.complaints(), [])
+        finally:
+            player.stop()
+
+
+    def test_8_large_trees_are_drawn_in_time(self):
+        medians = {}
+        for nodes in (2000, 50000):
+            self.page.js("""const [count] = arguments;
+const { tree, treeView } = prospect;
+tree.clear('made');
+const rows = [[0, -1, -1, count, 0.5, 0.9, 0.5, 1, null, null, 0.5, '', 0]];
+for (let id = 1; id < count; id += 1) rows.push([id, Math.floor((id - 1) / 4), (id - 1) % 4, 1 + count / id, 0.5, 0.5, (id % 97) / 97, 0.9, 0.5, 0.5, 0.4, '', 0]);
+tree.take(rows);
+treeView.reset();
+treeView.relay(true);
+treeView.fit('all');
+treeView.frames.length = 0;
+window.moving = setInterval(() => { treeView.scaleBy(1.01); treeView.touch(); }, 10);""", nodes)
+            until(lambda: self.page.js("return prospect.treeView.frames.length") >= 60, "60 frames", 60)
+            self.page.js("clearInterval(window.moving)")
+            medians[nodes] = statistics.median(self.page.js("return prospect.treeView.frames"))
+            print(f"{nodes} nodes: {medians[nodes]:.1f} ms a frame, {self.page.js('return prospect.treeView.drawn.length')} drawn")
+        self.page.driver.refresh()
+        self.assertLess(medians[2000], 1000 / 30)
+        self.assertLess(medians[50000], 100)
 
 
 if __name__ == "__main__":

@@ -69,7 +69,7 @@ class Console:
 
 
 @contextlib.contextmanager
-def deployment(*arguments, task="stacking", weights="scripted", workers=2):
+def deployment(*arguments, task="navigation", weights="scripted", workers=2):
     """`prospect up` on this bus; gives the folder in which everything of it lies."""
     folder = tempfile.mkdtemp(prefix="console-")
     os.environ["XDG_RUNTIME_DIR"] = folder
@@ -94,6 +94,6 @@ def console_arguments(folder):
     return ["--key", key, "--services-file", os.path.join(os.path.dirname(key), "services.json")]
 
 
-def result_of(folder, seed, task="stacking"):
+def result_of(folder, seed, task="navigation"):
     with open(os.path.join(folder, "out", f"{task}-{seed}", "result.json"), encoding="utf-8") as file:
         return json.load(file)

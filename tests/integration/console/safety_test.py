@@ -158,7 +158,7 @@ class Safety(unittest.TestCase):
         try:
             with self.viewer() as viewer:
                 viewer.until(lambda message: message.get("t") == "facts" and message["facts"]["may"]["run"] == "")
-                viewer.say({"t": "run", "seed": 2000000, "goal": "", "samples": 2000, "threshold": 0, "retries": 0, "reset": True})
+                viewer.say({"t": "run", "seed": 2000000, "goal": "", "samples": 200, "threshold": 0, "retries": 0, "reset": True})
                 ended = viewer.until(lambda message: message.get("t") == "facts" and message["facts"].get("run", {}).get("exit", -1) >= 0)
                 self.assertIn(ended["facts"]["run"]["exit"], (0, 3, 4), ended)
             self.assertLess(self.console.memory_mb(), MOST_MB)

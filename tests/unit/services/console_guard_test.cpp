@@ -14,7 +14,8 @@ using nlohmann::json;
 
 TEST(RequestGuard, HostsAreAddressesOrThisMachineWithThePort) {
   const RequestGuard guard(7660, "");
-  for (const char* host : {"127.0.0.1:7660", "localhost:7660", "LOCALHOST:7660", "[::1]:7660", "10.1.2.3:7660"})
+  for (const char* host :
+       {"127.0.0.1:7660", "localhost:7660", "LOCALHOST:7660", "[::1]:7660", "10.1.2.3:7660"})
     EXPECT_TRUE(guard.HostAllowed(host)) << host;
   for (const char* host : {"", "localhost", "evil.example:7660", "127.0.0.1.evil.example:7660",
                            "127.0.0.1:7661", "127.0.0.1:17660x:7660", "[evil]:7660"})
@@ -53,12 +54,21 @@ TEST(PageValues, PathsAndIdsAreWhatTheySay) {
 }
 
 TEST(RunArguments, AreCheckedOneByOne) {
-  const json good = {{"seed", 5}, {"samples", 30}, {"retries", 1}, {"goal", "on(red,blue)"}, {"threshold", nullptr}};
+  const json good = {{"seed", 5},
+                     {"samples", 30},
+                     {"retries", 1},
+                     {"goal", "on(red,blue)"},
+                     {"threshold", nullptr}};
   const auto words = RunArguments(good);
   EXPECT_EQ(words, (std::vector<std::string>{"--seed", "5", "--samples", "30", "--retries", "1",
                                              "--goal=on(red,blue)"}));
-  for (const auto& [name, value] : std::vector<std::pair<std::string, json>>{
-           {"seed", -1}, {"seed", "5"}, {"samples", 0}, {"retries", 1e9}, {"threshold", 1.5}, {"goal", "--help ("}}) {
+  for (const auto& [name, value] :
+       std::vector<std::pair<std::string, json>>{{"seed", -1},
+                                                 {"seed", "5"},
+                                                 {"samples", 0},
+                                                 {"retries", 1e9},
+                                                 {"threshold", 1.5},
+                                                 {"goal", "--help ("}}) {
     json bad = good;
     bad[name] = value;
     EXPECT_ANY_THROW(RunArguments(bad)) << name << " " << value;

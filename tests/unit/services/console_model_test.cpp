@@ -221,7 +221,8 @@ TEST_F(ConsoleModelTest, AStalledViewerGetsWhatIsSoNowAndIsToldWhatItMissed) {
   double stalled = 0;
   for (const json& message : told) {
     if (message.contains("rows")) rows += message["rows"].size();
-    if (message.contains("missed")) stalled = std::max(stalled, message["missed"]["stalled_s"].get<double>());
+    if (message.contains("missed"))
+      stalled = std::max(stalled, message["missed"]["stalled_s"].get<double>());
   }
   EXPECT_GE(rows, 3u);
   EXPECT_GE(stalled, 5);
@@ -244,14 +245,15 @@ TEST_F(ConsoleModelTest, NamesThatAreNoTextDoNotSpoilTheMessage) {
 TEST(PictureAsker, AsksForOneAtATimeAndSeldomWhileASearchRuns) {
   std::vector<predict_request_t> said;
   PictureAsker asker(9, [&](const predict_request_t& request) { said.push_back(request); });
-  for (std::uint8_t a = 0; a < 3; ++a) asker.Want({kSearch, 0, {a}});
-  asker.Want({kSearch, 0, {0}});
+  for (std::uint8_t a = 0; a < 3; ++a) asker.Want({kSearch, 0, {a}}, false);
+  asker.Want({kSearch, 0, {0}}, true);  // known already
+  asker.Want({kSearch, 0, {1, 1}}, true);
   const auto absent = [](const PictureAsker::Wish&) { return false; };
   std::int64_t now_ms = 10'000;
   asker.Turn(now_ms, false, absent);
   asker.Turn(now_ms + 1, false, absent);
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0].path.actions, planner::Path{2}) << "the latest wish first";
+  EXPECT_EQ(said[0].path.actions, (planner::Path{1, 1})) << "the urgent one first";
   const auto answer = [&] {
     predict_reply_t reply{};
     reply.client_id = 9;
@@ -262,12 +264,13 @@ TEST(PictureAsker, AsksForOneAtATimeAndSeldomWhileASearchRuns) {
   asker.Turn(now_ms + 2, true, absent);
   EXPECT_EQ(said.size(), 1u) << "a search runs";
   asker.Turn(now_ms + PictureAsker::kWhileSearchingMs, true, absent);
-  EXPECT_EQ(said.size(), 2u);
-  answer();
-  asker.Turn(now_ms + 260, false, absent);
-  answer();
-  asker.Turn(now_ms + 270, false, absent);
-  EXPECT_EQ(said.size(), 3u) << "each once";
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[1].path.actions, planner::Path{2}) << "then the latest wish";
+  for (int i = 0; i < 5; ++i) {
+    answer();
+    asker.Turn(now_ms + 260 + i, false, absent);
+  }
+  EXPECT_EQ(said.size(), 4u) << "each once";
 }
 
 }  // namespace
