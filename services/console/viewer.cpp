@@ -142,13 +142,10 @@ void Viewer::Write(Frame frame) {
                       });
 }
 
-// Until what is held back now may go.
+// Until what is held back now may go; an earlier wait ends, which may have been for longer.
 void Viewer::Wait() {
-  if (waiting_) return;
-  waiting_ = true;
   timer_.expires_after(std::chrono::milliseconds(feed_.DueMs(SteadyMs())));
   timer_.async_wait([self = shared_from_this()](beast::error_code error) {
-    self->waiting_ = false;
     if (!error) self->Pump(false);
   });
 }

@@ -55,7 +55,7 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   std::deque<std::string> control_;
   Frame outgoing_;
   std::string facts_;
-  bool open_ = false, writing_ = false, waiting_ = false, ended_ = false;
+  bool open_ = false, writing_ = false, ended_ = false;
   std::int64_t second_ = 0;
   int requests_ = 0;
 };

@@ -68,13 +68,13 @@ export class BusView {
   listServices(bus, facts) {
     const kept = new Map((facts?.supervised ?? []).map((s) => [s.pid, s]));
     const rows = bus.services.map((s) => {
-      const state = el('span', { class: s.alive ? 'good' : 'bad' }, s.state);
-      return [kept.get(s.pid)?.name ?? s.service, state, s.queue, fixed(s.cpu_s, 0), fixed(s.rss_mb, 0), kept.get(s.pid)?.restarts ?? '–', s.note];
+      const state = el('span', { class: s.alive && s.state !== 'fault' ? 'good' : 'bad', title: s.note }, s.state === 'fault' ? `fault: ${s.note}` : s.state);
+      return [kept.get(s.pid)?.name ?? s.service, state, s.queue, fixed(s.cpu_s, 0), fixed(s.rss_mb, 0), kept.get(s.pid)?.restarts ?? '–'];
     });
     for (const s of facts?.supervised ?? []) {
-      if (s.state === 'given_up') rows.push([s.name, el('span', { class: 'bad' }, 'given up'), '', '', '', s.restarts, s.last_words]);
+      if (s.state === 'given_up') rows.push([s.name, el('span', { class: 'bad' }, `given up: ${s.last_words}`), '', '', '', s.restarts]);
     }
-    this.services.replaceChildren(table(['service', 'state', 'queue', 'cpu s', 'MB', 'restarts', ''], rows));
+    this.services.replaceChildren(table(['service', 'state', 'queue', 'cpu s', 'MB', 'restarts'], rows));
   }
 
   refused(channel) {

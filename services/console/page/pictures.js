@@ -59,7 +59,7 @@ export class Pictures {
   }
 
   put(search, path, canvas) {
-    this.kept.set(`${search}/${path}`, canvas);
+    this.kept.set(`${search}/${pathKey(path)}`, canvas);
     if (this.kept.size > kMostKept) {
       const oldest = this.kept.keys().next().value;
       this.kept.delete(oldest);

@@ -82,20 +82,18 @@ export class TreeView {
   // What the plan, or the whole tree, needs to be in view.
   fit(what) {
     this.follow = what;
-    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const { clientHeight: height } = this.canvas;
     const plan = this.tree.root ? [this.tree.root, ...this.planNodes()] : [];
-    let [top, bottom, levels] = [0, this.extent.rows - 1, this.extent.levels];
+    let [top, bottom] = [0, this.extent.rows - 1];
     if (what === 'plan' && plan.length > 1) {
       [top, bottom] = d3.extent(plan, (node) => node.y);
-      levels = plan.length;
       // Its neighbours, too, so far as rows stay tall enough for pictures.
       const spare = Math.max(2, Math.min(this.extent.rows, height / 34) - (bottom - top));
       [top, bottom] = [Math.max(0, top - spare / 2), Math.min(this.extent.rows - 1, bottom + spare / 2)];
     }
-    const scale = Math.min(4, (height - 30) / (kRow * (bottom - top + 1)), (width - 40) / (kLevel * levels * 0.9));
-    const k = Math.max(scale, 0.005);
+    const k = Math.max(0.005, Math.min(4, (height - 30) / (kRow * (bottom - top + 1))));
     const y = height / 2 - kRow * k * (top + bottom) / 2;
-    this.zoom.transform(d3.select(this.canvas), d3.zoomIdentity.translate(Math.max(30, 40 * k), y).scale(k));
+    this.zoom.transform(d3.select(this.canvas), d3.zoomIdentity.translate(Math.max(30, Math.min(40 * k, 60)), y).scale(k));
   }
 
   // Levels never come so close that nothing could be told apart, nor too far.

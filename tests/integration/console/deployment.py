@@ -24,7 +24,7 @@ def until(condition, what, seconds=SECONDS):
         found = condition()
         if found:
             return found
-        time.sleep(0.02)
+        time.sleep(0.1)
     raise AssertionError(f"not within {seconds} s: {what}")
 
 

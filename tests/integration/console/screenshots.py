@@ -86,12 +86,12 @@ def main():
     with deployment.deployment(task="stacking", weights=WEIGHTS) as folder:
         console = deployment.Console(folder, *deployment.console_arguments(folder), "--control")
         try:
-            with browser.Browser(1400, 1150) as page:
+            with browser.Browser(1120, 960) as page:
                 page.open(console.url)
                 episode(page)
                 tree(page)
                 what_if(page)
-            with browser.Browser(1400, 1150, dark=True) as page:
+            with browser.Browser(1120, 960, dark=True) as page:
                 page.open(console.url)
                 until(lambda: page.js("return window.prospect?.known.bus?.servers.length"), "the bus")
                 page.click("tab-bus")
