@@ -99,6 +99,7 @@ export class TreeView {
   // Levels never come so close that nothing could be told apart, nor too far.
   level() {
     const room = this.canvas.clientWidth / (this.extent.levels + 0.6);
+    if (this.follow) return Math.max(room, 24);
     return Math.max(room, Math.min(kLevel * this.transform.k, 2.5 * room), 24);
   }
 

@@ -202,8 +202,11 @@ TEST_F(ConsoleModelTest, NonsenseIsCountedAndChangesNothing) {
   for (const auto& channel : Channels()) model_.Take({++now_us_, channel.name, {1, 2, 3}, ""});
   model_.Take({++now_us_, "TASK", {1, 2, 3}, "not authentic"});
   EXPECT_EQ(model_.state_revision(), before);
-  for (const json& row : model_.Bus()["channels"])
-    if (row["name"] == "TASK") EXPECT_EQ(row["refused"].size(), 2u) << row;
+  for (const json& row : model_.Bus()["channels"]) {
+    if (row["name"] == "TASK") {
+      EXPECT_EQ(row["refused"].size(), 2u) << row;
+    }
+  }
 }
 
 TEST_F(ConsoleModelTest, AStalledViewerGetsWhatIsSoNowAndIsToldWhatItMissed) {
