@@ -97,11 +97,6 @@ def main():
                 page.click("tab-bus")
                 settle(page)
                 save(page, "bus")
-            with browser.Browser(420, 1600) as page:
-                page.open(console.url)
-                until(lambda: page.js("return window.prospect?.known.state"), "a state")
-                settle(page)
-                save(page, "phone")
         finally:
             console.stop()
 
