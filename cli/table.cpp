@@ -3,6 +3,7 @@
 #include "cli/commands/bench.h"
 #include "cli/commands/ceiling.h"
 #include "cli/commands/collect.h"
+#include "cli/commands/console.h"
 #include "cli/commands/dataset.h"
 #include "cli/commands/deployment.h"
 #include "cli/commands/evaluate.h"
@@ -59,6 +60,9 @@ std::vector<Command> RunCommands() {
 
 std::vector<Command> LookCommands() {
   return {
+      Row<ConsoleOptions>(
+          "console", "a page in the browser: what it sees, imagines and does, live or from a log",
+          "prospect-console"),
       Row<StatusOptions>("status",
                          "each process: state, age of its last sign of life, queue, restarts",
                          "prospect-bus", {"status"}),

@@ -39,6 +39,7 @@ endif()
 set(data share/prospect)
 install(DIRECTORY config tasks DESTINATION ${data} PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY model/held_out DESTINATION ${data}/model)
+install(DIRECTORY services/console/page DESTINATION ${data}/services/console)
 # Classifiers read labels when networks are scored in training; nothing else asks for them.
 install(DIRECTORY model/weights DESTINATION ${data}/model PATTERN *-classifiers.safetensors EXCLUDE)
 

@@ -82,6 +82,9 @@ void Define(CLI::App& app, UpOptions& options) {
       ->type_name("FILE")
       ->needs("--video");
   app.add_flag("!--no-simulator", options.simulator, "a robot takes the simulator's place");
+  app.add_flag("--console", options.console, "with a page in the browser: " + Typed("console"));
+  app.add_flag("--control", options.control, "let that page start and stop episodes")
+      ->needs("--console");
   app.add_flag("--foreground", options.foreground, "stay here; Ctrl-C stops everything");
   DefineReport(app, options.report);
   DefineBus(app, options.bus);

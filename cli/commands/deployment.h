@@ -36,6 +36,8 @@ struct UpOptions {
   std::string video;          ///< in the simulator's place
   std::string transcription;  ///< its gestures
   bool simulator = true;      ///< false: a robot takes its place
+  bool console = false;       ///< with a page in the browser
+  bool control = false;       ///< whose buttons may be pressed
   bool foreground = false;
   ReportOptions report;
 };

@@ -41,6 +41,7 @@ const std::map<std::string, Carrier>& Carriers() {
       {"check-robot", Carried<CheckRobotOptions>()},
       {"evaluate on-bus", Carried<EvaluateOnBusOptions>()},
       {"doctor", CarriedAlone<DoctorOptions>()},
+      {"console", Carried<ConsoleOptions>()},
       {"status", Carried<StatusOptions>()},
       {"spy", Carried<SpyOptions>()},
       {"record", CarriedAlone<RecordOptions>()},

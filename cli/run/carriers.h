@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/commands/bench.h"
+#include "cli/commands/console.h"
 #include "cli/commands/deployment.h"
 #include "cli/commands/evaluate.h"
 #include "cli/commands/tasks.h"
@@ -31,6 +32,9 @@ int Run(const KeyOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const ScaleOptions& options);
 int Run(const ScaleOptions& options, const Invocation& invocation);
+
+Words ProgramsOf(const ConsoleOptions& options);
+int Run(const ConsoleOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const StatusOptions& options);
 int Run(const StatusOptions& options, const Invocation& invocation);

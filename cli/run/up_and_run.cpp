@@ -1,8 +1,10 @@
 // up and run: services that stay, and an episode against them.
 
+#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <thread>
 
 #include "base/exit_error.h"
 #include "cli/installation.h"
@@ -31,6 +33,8 @@ std::string VideoFile(const std::string& path) {
 Words ArgumentsOf(const UpOptions& options, Starting starting) {
   Words first;
   if (!options.simulator) first.push_back("--no-simulator");
+  if (options.console) first.push_back("--console");
+  if (options.control) first.push_back("--control");
   if (!options.video.empty()) {
     first.push_back("--player");
     starting.scene = {"--video", VideoFile(options.video)};
@@ -49,6 +53,17 @@ std::string ServicesOf(const UpOptions& options, int workers) {
   return options.simulator ? services + ",simulator=1" : services;
 }
 
+// Where the page is. The console writes it once it serves.
+std::string ConsoleOf(const Deployment& deployment) {
+  const std::string file = deployment.Folder() + "/console.url";
+  for (int turn = 0; turn < 100; ++turn) {
+    const std::string url = LastLine(TextOf(file));
+    if (!url.empty()) return url;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return "none; see " + deployment.Folder() + "/logs/console.log";
+}
+
 int GiveUp(const Deployment& deployment, int status) {
   const int given_up = deployment.TellGivenUp();
   deployment.Stop(/*silently=*/true);
@@ -60,6 +75,7 @@ int GiveUp(const Deployment& deployment, int status) {
 Words ProgramsOf(const UpOptions& options) {
   Words programs = DeployedPrograms();
   if (!options.video.empty()) programs.push_back("prospect-video");
+  if (options.console) programs.push_back("prospect-console");
   return programs;
 }
 
@@ -81,6 +97,9 @@ int Run(const UpOptions& options, const Invocation&) {
                                           deployment.Folder() + "/logs/supervisor.log");
   const int status = deployment.Await(ServicesOf(options, starting.workers));
   if (status != 0) return GiveUp(deployment, status);
+  const std::string console = options.console ? ConsoleOf(deployment) : "";
+  if (options.report.talks() && options.console)
+    std::fprintf(stderr, "The console: %s\n", console.c_str());
   if (options.report.talks())
     std::fprintf(stderr, "Up: %s, %s on %s; logs in %s. Next: %s; %s; %s\n", starting.task.c_str(),
                  Count(starting.workers, "worker").c_str(), deployment.bus().c_str(),
@@ -90,7 +109,8 @@ int Run(const UpOptions& options, const Invocation&) {
                         {"workers", starting.workers},
                         {"bus", deployment.bus()},
                         {"key", up->key},
-                        {"logs", up->logs}});
+                        {"logs", up->logs},
+                        {"console", console}});
   return status;
 }
 

@@ -84,6 +84,27 @@ int Run(const StatusOptions& options, const Invocation& invocation) {
   return Become(command);
 }
 
+Words ProgramsOf(const ConsoleOptions& options) {
+  Words programs = ProgramsToJoin("console");
+  if (options.control) programs.insert(programs.end(), {"prospect-executive", "prospect-bus"});
+  return programs;
+}
+
+int Run(const ConsoleOptions& options, const Invocation& invocation) {
+  if (!options.log.empty()) {
+    Words command = StartOf(invocation.command);
+    Append(invocation.typed, &command);
+    return Become(command);
+  }
+  const std::string bus = BusOf(options.bus.bus);
+  RequireRoute(bus);
+  const std::string folder = Deployment(bus).Folder();
+  Words command = Joining(bus, options.bus.key, invocation);
+  if (options.services_file.empty())
+    Append({"--services-file", folder + "/services.json"}, &command);
+  return Become(command);
+}
+
 Words ProgramsOf(const CheckRobotOptions&) { return ProgramsToJoin("check-robot"); }
 
 int Run(const CheckRobotOptions& options, const Invocation& invocation) {

@@ -6,7 +6,7 @@ namespace prospect::services {
 namespace {
 
 // The executive has the seeds as they are.
-constexpr int kModelSeed = 1, kSimulatorSeed = 2, kWorkerSeed = 2;
+constexpr int kModelSeed = 1, kSimulatorSeed = 2, kWorkerSeed = 2, kConsoleSeed = 1000;
 
 // `program`: its name, and what comes first of its arguments.
 std::vector<std::string> Command(const DeploymentSpec& deployment,
@@ -49,6 +49,15 @@ ServiceSpec SimulatorSpec(const DeploymentSpec& deployment) {
   ServiceSpec spec{"simulator", Command(deployment, program, kSimulatorSeed)};
   spec.command.insert(spec.command.end(), {"--task", deployment.task});
   spec.command.insert(spec.command.end(), deployment.scene.begin(), deployment.scene.end());
+  return spec;
+}
+
+ServiceSpec ConsoleSpec(const DeploymentSpec& deployment, const std::string& state) {
+  ServiceSpec spec{"console", Command(deployment, {"prospect-console"}, kConsoleSeed)};
+  spec.command.insert(spec.command.end(),
+                      {"--no-browser", "--services-file", state + "/services.json", "--url-file",
+                       state + "/console.url"});
+  if (deployment.control) spec.command.push_back("--control");
   return spec;
 }
 

@@ -23,10 +23,14 @@ struct DeploymentSpec {
   std::vector<std::string> scene;  ///< further arguments of the simulator
   bool simulator = true;           ///< false: a robot is in its place
   bool player = false;             ///< a video is in its place; `scene` is the player's
+  bool console = false;            ///< with a page in the browser
+  bool control = false;            ///< whose buttons may be pressed
 };
 
 ServiceSpec ModelSpec(const DeploymentSpec& deployment);
 ServiceSpec SimulatorSpec(const DeploymentSpec& deployment);
+/// @param state folder, where its address will lie, in console.url
+ServiceSpec ConsoleSpec(const DeploymentSpec& deployment, const std::string& state);
 ServiceSpec WorkerSpec(const DeploymentSpec& deployment, int number);
 
 /// `chaos` with every "seed=N" moved on by `steps`, so that processes do not all miss the same

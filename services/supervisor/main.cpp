@@ -56,6 +56,8 @@ void AddOptions(CLI::App& app, Options& options) {
   app.add_flag(
       "--player", options.deployment.player,
       "a video is in the simulator's place: prospect-video play, with what comes after --");
+  app.add_flag("--console", options.deployment.console, "with a page in the browser");
+  app.add_flag("--control", options.deployment.control, "whose buttons may be pressed");
   app.add_option("--state", options.state, "folder for services.json and key; empty: the bus's");
   app.add_option("--logs", options.logs, "folder for a log a service; empty: STATE/logs");
   app.add_flag("--open", options.open, "no key: whoever can send on the bus is obeyed");

@@ -20,7 +20,7 @@ namespace {
 constexpr mode_t kOthersMayWrite = S_IWGRP | S_IWOTH;
 // No name that other programs lock in folders of theirs: who holds it is signalled.
 constexpr char kLockName[] = "prospect-supervisor.lock";
-constexpr const char* kLeftBehind[] = {"services.json", "key"};
+constexpr const char* kLeftBehind[] = {"console.url", "services.json", "key"};
 
 [[noreturn]] void Distrust(const std::string& path, const std::string& reason) {
   throw ExitError(kExitDisk, "the state folder cannot be " + path + ": " + reason +

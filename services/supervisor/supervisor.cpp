@@ -56,6 +56,7 @@ Supervisor::Supervisor(DeploymentSpec deployment, int workers, std::string state
   RemoveOldLogs(logs_);
   Add(ModelSpec(deployment_));
   if (deployment_.simulator) Add(SimulatorSpec(deployment_));
+  if (deployment_.console) Add(ConsoleSpec(deployment_, state_));
   Scale(workers);
   WriteState();
   Turn();
