@@ -17,6 +17,12 @@ void Require(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("task rules: " + what);
 }
 
+// Each action after each, and after none.
+std::size_t TransitionsOf(int num_actions) {
+  const auto actions = static_cast<std::size_t>(num_actions);
+  return (actions + 1) * actions;
+}
+
 }  // namespace
 
 bool GoalRules::Met(std::uint8_t facts) const {
@@ -29,7 +35,7 @@ void TowerRules::Validate(int num_actions) const {
   const auto states = static_cast<std::size_t>(num_states);
   Require(num_states >= 1 && stands.size() == states,
           "tower.stands needs one entry for each state");
-  Require(handovers.size() == static_cast<std::size_t>((num_actions + 1) * num_actions),
+  Require(handovers.size() == TransitionsOf(num_actions),
           "tower.handovers needs one entry for each action after each and after none");
   Require(num_handovers >= 1 && next.size() == states * static_cast<std::size_t>(num_handovers),
           "tower.next needs one entry for each hand-over in each state");
@@ -95,12 +101,14 @@ bool TaskRules::EndsWell(int action, const Standing& here, int steps) const {
 }
 
 std::size_t TaskRules::StandingIndex(int action, const Standing& standing) const {
-  const auto state = static_cast<std::size_t>(action * tower.num_states + standing.tower);
+  const auto state = static_cast<std::size_t>(action) * static_cast<std::size_t>(tower.num_states) +
+                     static_cast<std::size_t>(standing.tower);
   return state << goal.num_facts | standing.facts;
 }
 
 TaskRules::Standing TaskRules::Apply(int previous, int action, Standing standing) const {
-  const auto edge = static_cast<std::size_t>(previous * num_actions + action);
+  const auto edge = static_cast<std::size_t>(previous) * static_cast<std::size_t>(num_actions) +
+                    static_cast<std::size_t>(action);
   if (!goal.empty()) {
     const GoalRules::Effect& effect = goal.effects.at(edge);
     standing.facts = static_cast<std::uint8_t>((standing.facts & ~effect.clears) | effect.sets);
@@ -230,7 +238,7 @@ void TaskRules::Validate() const {
   if (goal.empty()) return;
   Require(goal.num_facts >= 1 && goal.num_facts <= GoalRules::kMaxFacts,
           "goal.num_facts must be 1 to 8");
-  Require(goal.effects.size() == static_cast<std::size_t>((num_actions + 1) * num_actions),
+  Require(goal.effects.size() == TransitionsOf(num_actions),
           "goal.effects needs one entry for each action after each and after none");
 }
 
