@@ -97,7 +97,7 @@ void Define(CLI::App& app, EvaluateOptions& options) {
   app.add_option(
          "--rows", options.rows,
          "which rows to run, the planner always among them; samples=N is the planner with N "
-         "rollouts a search")
+         "rollouts a search, simulator_model=N the simulator as its model with N runs an action")
       ->default_str("all")
       ->type_name("NAMES")
       ->delimiter(',');

@@ -31,7 +31,7 @@ struct ClosedLoop {
   double novelty = 0;     // first pictures with a smaller p-value are refused; 0: none
   bool open_loop = false;
   std::vector<std::string> rows;  // planner, nothing, random, greedy, exhaustive, simulator_model,
-                                  // samples=N
+                                  // samples=N, simulator_model=N
   int jobs = 1;
   std::string videos;  // folder; empty: none
 };

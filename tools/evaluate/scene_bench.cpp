@@ -18,14 +18,14 @@ namespace prospect::tools {
 
 using nlohmann::json;
 
-std::optional<int> SamplesOf(const std::string& row) {
-  const std::string prefix = "samples=";
+std::optional<int> NumberOf(const std::string& row, const std::string& name) {
+  const std::string prefix = name + "=";
   if (row.rfind(prefix, 0) != 0) return std::nullopt;
   const std::string digits = row.substr(prefix.size());
   const bool number = !digits.empty() && digits.size() < 7 &&
                       digits.find_first_not_of("0123456789") == std::string::npos;
   if (!number || std::stoi(digits) < 1)
-    throw std::invalid_argument("row '" + row + "': give samples=1 to samples=999999");
+    throw std::invalid_argument("row '" + row + "': give " + prefix + "1 to " + prefix + "999999");
   return std::stoi(digits);
 }
 
@@ -108,7 +108,7 @@ class SceneBench::Impl {
     const double surprise = options_.surprise;
     if (row == "planner")
       return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), search, goal, retries, surprise));
-    if (const std::optional<int> samples = SamplesOf(row)) {
+    if (const std::optional<int> samples = NumberOf(row, "samples")) {
       planner::SearchParameters other = search;
       other.samples = *samples;
       return Gated(MakeLearned(PlanBy::kSearch, engine_.get(), other, goal, retries, surprise));
@@ -117,7 +117,9 @@ class SceneBench::Impl {
       return Gated(
           MakeLearned(PlanBy::kExhaustive, engine_.get(), search, goal, retries, surprise));
     if (row == "greedy") return Gated(MakeLearned(PlanBy::kGreedy, engine_.get(), search, goal));
-    if (row == "simulator_model") return MakeSimulatorModel(search, goal, retries);
+    if (row == "simulator_model") return MakeSimulatorModel(1, search, goal, retries);
+    if (const std::optional<int> runs = NumberOf(row, "simulator_model"))
+      return MakeSimulatorModel(*runs, search, goal, retries);
     if (row == "random") return MakeRandom(goal);
     if (row == "nothing") return MakeNothing();
     throw std::logic_error("row " + row + " was checked before");

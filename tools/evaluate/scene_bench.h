@@ -29,7 +29,7 @@ class SceneBench {
   std::unique_ptr<Impl> impl_;
 };
 
-// N of a row "samples=N"; nothing: another row. Throws std::invalid_argument where N is none.
-std::optional<int> SamplesOf(const std::string& row);
+// N of a row "NAME=N"; nothing: another row. Throws std::invalid_argument where N is none.
+std::optional<int> NumberOf(const std::string& row, const std::string& name);
 
 }  // namespace prospect::tools

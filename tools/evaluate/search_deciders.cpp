@@ -74,12 +74,11 @@ class EngineMind : public LocalMind {
   std::int64_t frame_ = -1;  // of the present picture; -1: a new scene
 };
 
-// Of each action. A future of which fewer than half succeed is not to be set out on.
-constexpr int kImaginedRuns = 5;
-
 // Searches with the world itself.
 class SimulatorMind : public LocalMind {
  public:
+  explicit SimulatorMind(int runs) : runs_(runs) {}
+
   void Enter(sim::Task& task, std::uint64_t scene_seed) override {
     task_ = &task;
     seed_ = scene_seed;
@@ -91,7 +90,7 @@ class SimulatorMind : public LocalMind {
     const int begun = task_->progress().segment + 1;  // actions
     if (begun != begun_) {
       model_ = std::make_unique<SimulatorModel>(
-          task_, seed_ * 31 + static_cast<std::uint64_t>(begun) + 0x51517, kImaginedRuns);
+          task_, seed_ * 31 + static_cast<std::uint64_t>(begun) + 0x51517, runs_);
       begun_ = begun;
     }
     agent::SearchQuestion own = question;
@@ -99,6 +98,7 @@ class SimulatorMind : public LocalMind {
     return SearchWith(own, model_.get());
   }
 
+  int runs_;
   sim::Task* task_ = nullptr;
   std::uint64_t seed_ = 0;
   int begun_ = -1;
@@ -122,10 +122,10 @@ std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
   return decider;
 }
 
-std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
+std::unique_ptr<Decider> MakeSimulatorModel(int runs, const planner::SearchParameters& parameters,
                                             const Goal& goal, int retries) {
   auto decider = std::make_unique<Decider>();
-  decider->mind = std::make_unique<SimulatorMind>();
+  decider->mind = std::make_unique<SimulatorMind>(runs);
   agent::EpisodeOptions& options = decider->options;
   options.search = parameters;
   options.refusal_threshold = 0.5;

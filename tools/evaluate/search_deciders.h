@@ -23,8 +23,10 @@ std::unique_ptr<Decider> MakeLearned(PlanBy by, model::Engine* engine,
                                      const planner::SearchParameters& parameters,
                                      const Goal& goal = {}, int retries = 0, double surprise = 1);
 
-// Searches with the simulator as its model: perfect imagination, the same number of rollouts.
-std::unique_ptr<Decider> MakeSimulatorModel(const planner::SearchParameters& parameters,
+// Searches with the simulator as its model: perfect imagination, the same number of rollouts, each
+// action carried out in so many `runs` (SimulatorModel). A plan is set out on where at least half
+// of them succeed.
+std::unique_ptr<Decider> MakeSimulatorModel(int runs, const planner::SearchParameters& parameters,
                                             const Goal& goal = {}, int retries = 0);
 
 }  // namespace prospect::tools

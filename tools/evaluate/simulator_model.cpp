@@ -11,7 +11,8 @@ SimulatorModel::SimulatorModel(sim::Task* task, std::uint64_t noise_seed, int ru
   const std::unique_ptr<sim::TaskState> real = task_->Save();
   Node root;
   for (int run = 0; run < runs; ++run) {
-    task_->SetNoiseSeed(base::MixSeeds({noise_seed, static_cast<std::uint64_t>(run)}));
+    const auto number = static_cast<std::uint64_t>(run);
+    task_->SetNoiseSeed(run == 0 ? noise_seed : base::MixSeeds({noise_seed, number}));
     root.going.push_back(task_->Save());
   }
   const bool failed = task_->progress().outcome == sim::Outcome::kFailure;

@@ -60,7 +60,7 @@ TEST(RunEpisode, PerfectImaginationBeatsChance) {
   const auto task = sim::MakeTask("navigation");
   planner::SearchParameters parameters;
   parameters.samples = 40;
-  const auto informed = MakeSimulatorModel(parameters);
+  const auto informed = MakeSimulatorModel(1, parameters);
   const auto random = MakeRandom();
   int informed_solved = 0;
   int random_solved = 0;
@@ -83,7 +83,7 @@ TEST(RunEpisode, DecidersKeepToTheGoal) {
     const std::vector<int> there = task->LegalActions();
     const std::string wanted = task->spec().actions[there.back()].object;
     const Goal goal = planner::ParseGoal("visited(" + wanted + ")");
-    for (const auto& decider : {MakeRandom(goal), MakeSimulatorModel(parameters, goal)}) {
+    for (const auto& decider : {MakeRandom(goal), MakeSimulatorModel(1, parameters, goal)}) {
       const EpisodeRecord record = RunEpisode(*task, *decider, seed, 0.01, goal);
       const auto& acts = record.actions;
       const bool visits = std::count(acts.begin(), acts.end(), there.back()) > 0;
