@@ -22,7 +22,7 @@ Carrier CarriedAlone() {
           }};
 }
 
-Carrier Plain(int (*run)(), Words programs = {}) {
+Carrier Plain(int (*run)(), const Words& programs = {}) {
   return {[programs](const void*) { return programs; },
           [run](const void*, const Invocation&) { return run(); }};
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/child_process.h"
@@ -93,14 +94,15 @@ std::optional<base::ChildProcess> OpenBrowser(const std::string& url) {
 std::unique_ptr<Source> SourceFor(const cli::ConsoleOptions& options,
                                   std::function<void()> notify) {
   const auto bytes = static_cast<std::size_t>(options.memory_mb) << 20;
-  if (!options.log.empty()) return std::make_unique<LogSource>(options.log, bytes, notify);
+  if (!options.log.empty())
+    return std::make_unique<LogSource>(options.log, bytes, std::move(notify));
   BusSourceOptions bus;
   bus.bus = options.bus.bus;
   bus.services_file = options.services_file;
   bus.out = options.out;
   bus.control = options.control;
   bus.memory_bytes = bytes;
-  return std::make_unique<BusSource>(bus, notify);
+  return std::make_unique<BusSource>(bus, std::move(notify));
 }
 
 // The usual port, so that a page finds a console that was started again; another one if somebody

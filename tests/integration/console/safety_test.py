@@ -105,7 +105,7 @@ class Safety(unittest.TestCase):
     def test_requests_that_are_no_use_are_told_so(self):
         with self.viewer() as viewer:
             for request in ({"t": "watch"}, {"t": "watch", "search": 5}, {"t": "want", "search": "1", "paths": 3},
-                            {"t": "want", "search": "1", "paths": [[999]]}, {"t": "want", "search": "1", "paths": [[0] * 40]},
+                            {"t": "want", "search": "1", "paths": [[999]]}, {"t": "want", "search": "1", "paths": [[0] * 65]},
                             {"t": "choices", "search": "1", "node": "x"}, {"t": "judge", "search": "x", "path": []},
                             {"t": "run", "seed": "1; rm", "samples": 5, "retries": 0}, {"t": "scale", "workers": -1},
                             {"t": "scale", "workers": 1e300}, {"t": "unheard"}, {"t": "run", "seed": 1, "samples": 5,

@@ -4,6 +4,7 @@ import json
 import os
 import socket
 import struct
+import time
 
 
 class Refused(Exception):
@@ -91,12 +92,14 @@ class WebSocket:
         header["bytes"] = len(parts) - 4 - length
         return header
 
-    def until(self, condition):
+    def until(self, condition, seconds=60):
         """The first message for which a condition holds."""
-        while True:
+        deadline = time.monotonic() + seconds
+        while time.monotonic() < deadline:
             message = self.message()
             if condition(message):
                 return message
+        raise AssertionError(f"no such message within {seconds} s")
 
     def raw(self, opcode, data, length=None):
         """A masked frame; `length`: what its header says instead of the truth."""
