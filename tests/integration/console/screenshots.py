@@ -16,7 +16,7 @@ from deployment import until
 DOCS = sys.argv[2]
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 WEIGHTS = os.path.join(ROOT, "model", "weights")
-SOLVED, HOPELESS = 2000002, 2000001
+SOLVED, HOPELESS = 2000002, 2000103
 
 
 def save(page, name):
