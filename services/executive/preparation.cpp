@@ -174,9 +174,9 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
   }
   const model_info_t& first = live.front();
   const std::string& task = talk.view().task()->name;
-  const std::string remedy = first.engine.starts_with("scripted")
-                                 ? "scripted ones pretend to know the table of --task: start them "
-                                   "with --task for '" +
+  const std::string remedy = first.engine == "scripted"
+                                 ? "--weights scripted pretends to know the table of its --task: "
+                                   "start it with --task for '" +
                                        task + "'"
                                  : "start one with --weights for task '" + task + "'";
   throw ExitError(kExitWeights, "no model server holds fitting weights: the first holds " +
