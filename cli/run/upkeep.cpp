@@ -32,6 +32,18 @@ Words ProgramsToJoin(const char* command) {
   return {FindCommand(command)->program, "prospect-supervisor"};
 }
 
+// A program that reads what the deployment's supervisor says of its processes.
+template <typename Options>
+int BecomeBesideServices(const Options& options, const Invocation& invocation) {
+  const std::string bus = BusOf(options.bus.bus);
+  RequireRoute(bus);
+  const std::string folder = Deployment(bus).Folder();
+  Words command = Joining(bus, options.bus.key, invocation);
+  if (options.services_file.empty())
+    Append({"--services-file", folder + "/services.json"}, &command);
+  return Become(command);
+}
+
 }  // namespace
 
 Words ProgramsOf(const DownOptions&) { return {"prospect-supervisor"}; }
@@ -75,13 +87,7 @@ int Run(const ScaleOptions& options, const Invocation&) {
 Words ProgramsOf(const StatusOptions&) { return ProgramsToJoin("status"); }
 
 int Run(const StatusOptions& options, const Invocation& invocation) {
-  const std::string bus = BusOf(options.bus.bus);
-  RequireRoute(bus);
-  const std::string folder = Deployment(bus).Folder();
-  Words command = Joining(bus, options.bus.key, invocation);
-  if (options.services_file.empty())
-    Append({"--services-file", folder + "/services.json"}, &command);
-  return Become(command);
+  return BecomeBesideServices(options, invocation);
 }
 
 Words ProgramsOf(const ConsoleOptions& options) {
@@ -96,13 +102,7 @@ int Run(const ConsoleOptions& options, const Invocation& invocation) {
     Append(invocation.typed, &command);
     return Become(command);
   }
-  const std::string bus = BusOf(options.bus.bus);
-  RequireRoute(bus);
-  const std::string folder = Deployment(bus).Folder();
-  Words command = Joining(bus, options.bus.key, invocation);
-  if (options.services_file.empty())
-    Append({"--services-file", folder + "/services.json"}, &command);
-  return Become(command);
+  return BecomeBesideServices(options, invocation);
 }
 
 Words ProgramsOf(const CheckRobotOptions&) { return ProgramsToJoin("check-robot"); }
