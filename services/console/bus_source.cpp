@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 // A command id that none of the executive's own will reach: whoever is told to stop by it obeys
-// nothing more of that executive.
+// nothing more of that executive, and the executive reads in the status that it was stopped.
 constexpr std::int64_t kLastCommand = 1 << 20;
 
 std::string HostName() {
@@ -220,19 +220,15 @@ std::string BusSource::Stop() {
   return "";
 }
 
-// At once, as whoever holds the robot: nobody else is obeyed. An executive on this machine gets a
-// signal, too, and says the same; one elsewhere is not obeyed any more.
+// At once, as whoever holds the robot: nobody else is obeyed.
 void BusSource::CancelAction() {
   action_command_t cancel{};
   {
     const std::lock_guard<std::mutex> lock(mutex());
     const auto& status = model_.episode().status();
     if (!status || status->holder_id == 0) return;
-    const health_t* holder = model_.services().Find(status->holder_id);
-    const bool here = holder && holder->host == HostName() && IsExecutiveHere(holder->pid);
     cancel.executive_id = status->holder_id;
-    cancel.command_id = (status->executive_id == status->holder_id ? status->command_id : 0) +
-                        (here && model_.episode().running() ? 1 : kLastCommand);
+    cancel.command_id = kLastCommand;
     cancel.episode_id = status->episode_id;
   }
   cancel.utime = UtimeNow();

@@ -76,6 +76,7 @@ std::string ConsoleModel::Dispatch(const BusEvent& event) {
   return Try<task_t>(event, [&](const task_t& task) { OnTask(task); }) +
          Try<observation_t>(event, [&](const observation_t& seen) { OnObservation(seen); }) +
          Try<action_status_t>(event, [&](const auto& status) { episode_.Hear(status); }) +
+         Try<verdict_t>(event, [&](const auto& verdict) { episode_.Hear(verdict); }) +
          Try<plan_t>(event, [&](const plan_t& plan) { episode_.Hear(plan); }) +
          Try<health_t>(event, [&](const health_t& health) { OnHealth(health, now_us); }) +
          Try<model_info_t>(event, [&](const auto& info) { services_.Hear(info, now_us); }) +

@@ -11,8 +11,8 @@ constexpr std::size_t kMostActs = 256;
 
 const char* StateText(std::int8_t state) {
   static const char* const names[] = {"unknown", "idle",      "running", "succeeded",
-                                      "failed",  "cancelled", "refused"};
-  return state >= 0 && state <= action_status_t::STATE_REFUSED ? names[state] : "unknown";
+                                      "failed",  "cancelled", "refused", "ended"};
+  return state >= 0 && state <= action_status_t::STATE_ENDED ? names[state] : "unknown";
 }
 
 const char* OutcomeText(std::int8_t outcome) {
@@ -87,7 +87,8 @@ void EpisodeView::Hear(const action_status_t& status) {
   const bool same = !acts_.empty() && acts_.back().command_id == status.command_id;
   const bool ended = status.state == action_status_t::STATE_SUCCEEDED ||
                      status.state == action_status_t::STATE_FAILED ||
-                     status.state == action_status_t::STATE_CANCELLED;
+                     status.state == action_status_t::STATE_CANCELLED ||
+                     status.state == action_status_t::STATE_ENDED;
   // A cancel has a command id of its own.
   if (open && ended && (same || status.state == action_status_t::STATE_CANCELLED))
     return Finish(&acts_.back(), status);
@@ -103,6 +104,16 @@ void EpisodeView::Hear(const action_status_t& status) {
   act.path.push_back(static_cast<std::uint8_t>(status.action));
   acts_.push_back(act);
   if (ended) Finish(&acts_.back(), status);
+}
+
+void EpisodeView::Hear(const verdict_t& verdict) {
+  if (verdict.episode_id != id_) return;
+  for (Act& act : acts_) {
+    if (act.command_id != verdict.command_id || act.state != action_status_t::STATE_ENDED) continue;
+    act.state =
+        verdict.succeeded ? action_status_t::STATE_SUCCEEDED : action_status_t::STATE_FAILED;
+    ++revision_;
+  }
 }
 
 void EpisodeView::Hear(const plan_t& plan) {

@@ -24,13 +24,15 @@ struct Act {
   double surprise = -1;        ///< of what was seen, as model/surprise.h has it; -1: not known
 };
 
-/// One episode as a page shows it: what is said of it on OBSERVATION, ACTION_STATUS, PLAN and the
-/// executive's HEALTH. One thread at a time.
+/// One episode as a page shows it: what is said of it on OBSERVATION, ACTION_STATUS, VERDICT, PLAN
+/// and the executive's HEALTH. One thread at a time.
 class EpisodeView {
  public:
   /// A picture with a frame number that is new. A new episode id begins everything anew.
   void Hear(const observation_t& observation);
   void Hear(const action_status_t& status);
+  /// How an action that has ended went, where its robot cannot tell.
+  void Hear(const verdict_t& verdict);
   void Hear(const plan_t& plan);
   void Hear(const search_root_t& root, std::int64_t now_us);
   /// An executive's: the outcome is its last word.

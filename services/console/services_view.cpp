@@ -118,16 +118,6 @@ std::vector<int> ServicesView::PidsOn(const std::string& host, const std::string
   return pids;
 }
 
-bool ServicesView::IsAlive(std::int64_t instance_id, std::int64_t now_us) const {
-  const auto found = peers_.find(instance_id);
-  return found != peers_.end() && Alive(found->second, now_us);
-}
-
-const health_t* ServicesView::Find(std::int64_t instance_id) const {
-  const auto found = peers_.find(instance_id);
-  return found == peers_.end() ? nullptr : &found->second.health;
-}
-
 std::int64_t ServicesView::AnyServer(std::int64_t weights_hash, std::int64_t now_us) const {
   for (const auto& [id, server] : servers_) {
     if (now_us - server.heard_us < kDeadUs &&

@@ -25,14 +25,10 @@ class ServicesView {
   /// Process ids of those that are alive on a machine.
   std::vector<int> PidsOn(const std::string& host, const std::string& service,
                           std::int64_t now_us) const;
-  /// Whether the executive with this instance id is alive.
-  bool IsAlive(std::int64_t instance_id, std::int64_t now_us) const;
   /// The model server that answers for these weights; 0: any.
   std::int64_t AnyServer(std::int64_t weights_hash, std::int64_t now_us) const;
   /// Paths that wait at the busiest server.
   int Queue(std::int64_t now_us) const;
-  /// Latest HEALTH of an instance; null: never heard.
-  const health_t* Find(std::int64_t instance_id) const;
 
  private:
   struct Peer {

@@ -17,12 +17,6 @@ constexpr double kLimitSlackSeconds = 30;
 
 }  // namespace
 
-std::string StateName(std::int8_t state) {
-  static const char* const names[] = {"unknown", "idle",      "running", "succeeded",
-                                      "failed",  "cancelled", "refused", "ended"};
-  return state >= 0 && state <= action_status_t::STATE_ENDED ? names[state] : "unknown";
-}
-
 action_command_t ActionRunner::NextCommand(std::int8_t kind, int action) {
   action_command_t command{};
   command.executive_id = talk_.id();
@@ -42,8 +36,15 @@ bool ActionRunner::Named(std::int64_t command_id) const {
   return status && status->executive_id == talk_.id() && status->command_id == command_id;
 }
 
+// Nobody but who stops this executive sends its commands, with an id that it would not reach.
+bool ActionRunner::StoppedFromElsewhere(std::int64_t command_id) const {
+  const auto& status = talk_.view().status();
+  return status && status->executive_id == talk_.id() && status->command_id > command_id;
+}
+
 bool ActionRunner::Ended(std::int64_t command_id) const {
-  return Named(command_id) && talk_.view().status()->state != action_status_t::STATE_RUNNING;
+  return (Named(command_id) || StoppedFromElsewhere(command_id)) &&
+         talk_.view().status()->state != action_status_t::STATE_RUNNING;
 }
 
 action_status_t ActionRunner::CarryOut(int action) {
@@ -59,8 +60,10 @@ action_status_t ActionRunner::CarryOut(int action) {
 }
 
 void ActionRunner::Start(const action_command_t& command) {
-  const bool noticed = talk_.Until([&] { return Named(command.command_id); }, kNoticeMs,
-                                   [&] { talk_.Say(command); }, kRepeatMs);
+  const auto answered = [&] {
+    return Named(command.command_id) || StoppedFromElsewhere(command.command_id);
+  };
+  const bool noticed = talk_.Until(answered, kNoticeMs, [&] { talk_.Say(command); }, kRepeatMs);
   if (!noticed) throw ExitError(kExitTimeout, "ACTION_COMMAND was not taken notice of within 5 s");
 }
 
@@ -77,6 +80,9 @@ void ActionRunner::AwaitEnd(const action_command_t& command) {
   if (!Ended(command.command_id)) {
     throw ExitError(kExitServiceLost, "ACTION_STATUS fell silent for 3 s while " + NameOf(command) +
                                           " ran: is the simulator alive?");
+  }
+  if (StoppedFromElsewhere(command.command_id)) {
+    throw ExitError(kExitInterrupted, NameOf(command) + " was stopped from a console");
   }
 }
 

@@ -18,7 +18,7 @@ class ActionRunner {
   /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled,
   /// refused, or ended, where the robot cannot tell. Throws kExitServiceLost when whoever carries
   /// actions out falls silent, kExitTimeout when it takes no notice of the command or the action
-  /// never ends, and kExitInterrupted after a stop signal; whatever is thrown, the action is
+  /// never ends, and kExitInterrupted after a stop signal, or when a console stopped it; whatever is thrown, the action is
   /// cancelled first.
   action_status_t CarryOut(int action);
 
@@ -26,6 +26,7 @@ class ActionRunner {
   action_command_t NextCommand(std::int8_t kind, int action);
   std::string NameOf(const action_command_t& command) const;
   bool Named(std::int64_t command_id) const;
+  bool StoppedFromElsewhere(std::int64_t command_id) const;
   bool Ended(std::int64_t command_id) const;
   void Start(const action_command_t& command);
   void AwaitEnd(const action_command_t& command);
@@ -33,8 +34,5 @@ class ActionRunner {
 
   Conversation& talk_;
 };
-
-/// "idle", "running", "succeeded", "failed", "cancelled", "refused", "ended".
-std::string StateName(std::int8_t state);
 
 }  // namespace prospect::services

@@ -138,7 +138,7 @@ class Robot:
             action = self.actions().index(action)
         command = self._command(action_command_t.KIND_START, action)
         try:
-            if not self._until(lambda: self._named(command), NOTICE, command):
+            if not self._until(lambda: self._named(command) or self._stopped(command), NOTICE, command):
                 raise Lost("the robot takes no notice of a command")
             self._await_end(command)
         except BaseException:
@@ -162,6 +162,8 @@ class Robot:
             if time.monotonic() - self.heard > SILENT:
                 raise Lost("ACTION_STATUS fell silent for 3 s")
             self._turn(0.02)
+        if self._stopped(command):
+            raise Lost(f"{self.actions()[command.action]} was stopped from a console")
 
     def _cancel(self):
         command = self._command(action_command_t.KIND_CANCEL, -1)
@@ -180,8 +182,12 @@ class Robot:
     def _named(self, command):
         return (self.status.executive_id, self.status.command_id) == (self.id, command.command_id)
 
+    def _stopped(self, command):
+        """Whether somebody stopped this robot from a console: nobody else sends a command of ours, with an id beyond ours."""
+        return self.status.executive_id == self.id and self.status.command_id > command.command_id
+
     def _ended(self, command):
-        return self._named(command) and self.status.state != action_status_t.STATE_RUNNING
+        return (self._named(command) or self._stopped(command)) and self.status.state != action_status_t.STATE_RUNNING
 
     def _see(self, picture):
         if not self.picture or picture.episode_id != self.picture.episode_id or picture.frame >= self.picture.frame:

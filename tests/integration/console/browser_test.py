@@ -5,7 +5,6 @@
 """
 import os
 import signal
-import statistics
 import subprocess
 import sys
 import time
@@ -19,7 +18,6 @@ import recording
 from deployment import program, until
 
 SEED = 2000000
-LATE_MS = 150
 SLOWLY = "channel=EXPAND_REPLY,delay=300ms"  # so that a search can be met half-way
 STATE = "return document.getElementById('happening').dataset.state"
 # The tree as it is shown: N and V of each path, for comparing one page with another.
@@ -92,17 +90,7 @@ class ConsoleInABrowser(unittest.TestCase):
         self.page.js("const pick = document.getElementById('search-pick'); pick.value = ''; pick.dispatchEvent(new Event('change'))")
         self.assertEqual(self.page.complaints(), [])
 
-    def test_2_what_is_on_the_bus_is_on_the_page_soon(self):
-        self.page.js("prospect.latencies.length = 0")
-        for seed in range(SEED, SEED + 4):
-            run(self.page, seed=seed, samples=100)
-        latencies = self.page.js("return [...prospect.latencies]")
-        busy = os.getloadavg()[0] / os.cpu_count()
-        print(f"latency: median {statistics.median(latencies):.0f} ms of {len(latencies)}; {busy:.1f} processes a core")
-        # On a machine that others keep busy the browser waits for a processor, and the bound says nothing of the console.
-        self.assertLess(statistics.median(latencies), LATE_MS if busy < 1.5 else 10 * LATE_MS)
-
-    def test_3_a_reload_and_a_second_browser_show_the_same_tree(self):
+    def test_2_a_reload_and_a_second_browser_show_the_same_tree(self):
         start(self.page, SEED, 100000, 0)
         until(lambda: self.page.js("return prospect.tree.size >= 2 && prospect.tree.meta?.running"), "a tree that grows")
         self.page.driver.refresh()
@@ -116,7 +104,7 @@ class ConsoleInABrowser(unittest.TestCase):
             until(lambda: self.page.js("return window.prospect?.tree.size >= 2"), "the tree after another reload")
             until(lambda: self.page.js(TREE) == second.js(TREE), "the same tree after a reload")
 
-    def test_4_stop_cancels_the_action(self):
+    def test_3_stop_cancels_the_action(self):
         # An action may be over before a test has looked: the page itself presses the button.
         self.page.js("""const place = document.getElementById('happening');
 new MutationObserver((_, observer) => {
@@ -131,7 +119,7 @@ new MutationObserver((_, observer) => {
         self.assertIn(acts[-1]["state"], ("cancelled", "succeeded", "failed"))
         self.assertEqual(self.page.js("return prospect.known.facts.run.exit"), 130)
 
-    def test_5_the_console_killed_and_started_again(self):
+    def test_4_the_console_killed_and_started_again(self):
         self.console.stop(signal.SIGKILL)
         until(lambda: "lost" in self.page.text("connection"), "a page that says so")
         self.console.start(str(self.console.port))
@@ -139,7 +127,7 @@ new MutationObserver((_, observer) => {
         until(lambda: self.page.js(STATE) != "connection lost", "a state")
         run(self.page, seed=SEED + 2, samples=50)
 
-    def test_6_a_recording_shows_the_same_plan(self):
+    def test_5_a_recording_shows_the_same_plan(self):
         log = os.path.join(self.folder, "episode.lcmlog")
         with subprocess.Popen(["lcm-logger", "-q", log]) as logger:
             until(lambda: os.path.exists(log), "a log")
@@ -159,7 +147,7 @@ new MutationObserver((_, observer) => {
         finally:
             player.stop()
 
-    def test_7_names_of_the_bus_never_become_markup(self):
+    def test_6_names_of_the_bus_never_become_markup(self):
         log = os.path.join(self.folder, "evil.lcmlog")
         recording.write(log)
         player = deployment.Console(self.folder, "--log", log)
@@ -177,29 +165,6 @@ new MutationObserver((_, observer) => {
                 self.assertEqual(page.complaints(), [])
         finally:
             player.stop()
-
-
-    def test_8_large_trees_are_drawn_in_time(self):
-        medians = {}
-        for nodes in (2000, 50000):
-            self.page.js("""const [count] = arguments;
-const { tree, treeView } = prospect;
-tree.clear('made');
-const rows = [[0, -1, -1, count, 0.5, 0.9, 0.5, 1, null, null, 0.5, '', 0]];
-for (let id = 1; id < count; id += 1) rows.push([id, Math.floor((id - 1) / 4), (id - 1) % 4, 1 + count / id, 0.5, 0.5, (id % 97) / 97, 0.9, 0.5, 0.5, 0.4, '', 0]);
-tree.take(rows);
-treeView.reset();
-treeView.relay(true);
-treeView.fit('all');
-treeView.frames.length = 0;
-window.moving = setInterval(() => { treeView.scaleBy(1.01); treeView.touch(); }, 10);""", nodes)
-            until(lambda: self.page.js("return prospect.treeView.frames.length") >= 60, "60 frames", 60)
-            self.page.js("clearInterval(window.moving)")
-            medians[nodes] = statistics.median(self.page.js("return prospect.treeView.frames"))
-            print(f"{nodes} nodes: {medians[nodes]:.1f} ms a frame, {self.page.js('return prospect.treeView.drawn.length')} drawn")
-        self.page.driver.refresh()
-        self.assertLess(medians[2000], 1000 / 30)
-        self.assertLess(medians[50000], 100)
 
 
 if __name__ == "__main__":

@@ -181,6 +181,26 @@ TEST_F(ConsoleModelTest, ACancelEndsTheActThatRuns) {
   EXPECT_EQ(model_.episode().acts()[0].state, action_status_t::STATE_CANCELLED);
 }
 
+TEST_F(ConsoleModelTest, APersonsWordSaysHowAnActWentThatOnlyEnded) {
+  HearTask();
+  HearPicture(0);
+  HearStatus(action_status_t::STATE_RUNNING, 1, 2, 0);
+  HearStatus(action_status_t::STATE_ENDED, 1, 2, 0);
+  ASSERT_EQ(model_.episode().acts().size(), 1u);
+  EXPECT_EQ(model_.episode().acts()[0].state, action_status_t::STATE_ENDED);
+  EXPECT_EQ(model_.episode().ToJson()["acts"][0]["state"], "ended");
+  verdict_t verdict{};
+  verdict.episode_id = kEpisode;
+  verdict.command_id = 1;
+  verdict.action = 2;
+  verdict.succeeded = 1;
+  Hear(verdict);
+  EXPECT_EQ(model_.episode().acts()[0].state, action_status_t::STATE_SUCCEEDED);
+  verdict.succeeded = 0;
+  Hear(verdict);
+  EXPECT_EQ(model_.episode().acts()[0].state, action_status_t::STATE_SUCCEEDED) << "said once";
+}
+
 TEST_F(ConsoleModelTest, DropsTheOldestSearchesAndSaysSo) {
   ConsoleModel small(/*bytes=*/200'000);
   std::swap(model_, small);
