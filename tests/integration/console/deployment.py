@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import time
 
-BIN = os.environ["PROSPECT_TEST_BIN"]
+BIN = os.path.abspath(os.environ["PROSPECT_TEST_BIN"])
 SECONDS = 60
 
 

@@ -23,6 +23,13 @@ TEST(DerivedConfig, MoreActionsTakeMoreIterationsBetweenBounds) {
   EXPECT_EQ(iterations(10'000'000), iterations(1'000'000));
 }
 
+TEST(DerivedConfig, HeadsLearnAsLongAsTheirTableOfActionsTakes) {
+  const TrainConfig c = DerivedConfig({64, 64, 12, 4, 5000});
+  EXPECT_GE(2 * c.heads.iterations, c.transform_hidden.iterations)
+      << "V and f that learned little call every plan good";
+  EXPECT_EQ(c.precision, "float32");
+}
+
 TEST(DerivedConfig, IsValidForEverySizeOfATask) {
   for (const int side : {32, 64, 128, 256}) {
     for (const int actions : {1, 255}) {
