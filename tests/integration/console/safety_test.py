@@ -85,6 +85,33 @@ class Safety(unittest.TestCase):
         finally:
             looking.stop()
 
+    def test_listening_to_others_asks_for_the_token_even_to_look(self):
+        console = deployment.Console(self.folder, *deployment.console_arguments(self.folder), "--listen", "0.0.0.0")
+        try:
+            with self.assertRaises(websocket.Refused):
+                websocket.WebSocket(console.port)
+            with websocket.WebSocket(console.port, console.url.split("#token=")[1]) as viewer:
+                viewer.until(lambda message: message.get("bus", {}).get("workers") == 2)
+        finally:
+            console.stop()
+
+    def test_workers_come_and_go_with_the_slider(self):
+        with self.viewer() as viewer:
+            viewer.until(lambda message: message.get("t") == "facts" and message["facts"]["may"]["scale"] == "")
+            for workers in (3, 2):
+                known = {}
+
+                def settled(message):
+                    """Both are told when they change, in either order."""
+                    if message.get("t") == "facts":
+                        known["scaling"] = message["facts"].get("scale", {}).get("running")
+                    if "bus" in message:
+                        known["workers"] = message["bus"].get("workers")
+                    return known == {"scaling": False, "workers": workers}  # noqa: B023
+
+                viewer.say({"t": "scale", "workers": workers})
+                viewer.until(settled)
+
     def test_nonsense_is_refused_and_closes_only_who_said_it(self):
         with self.viewer() as other:
             for text in (b"\0" * 3000, b"GET\r\n\r\n", b"\xff" * 20000 + b"\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n",
