@@ -4,6 +4,7 @@
 #include "cli/options/rule.h"
 #include "cli/options/weights.h"
 #include "cli/values.h"
+#include "planner/path.h"
 
 namespace prospect::cli {
 namespace {
@@ -80,7 +81,7 @@ void Define(CLI::App& app, BenchSearchOptions& options) {
   app.add_option("--plan-length", options.plan_length,
                  "actions in a plan (scripted-tree has its own)")
       ->type_name("N")
-      ->transform(Whole(1, 32))
+      ->transform(Whole(1, planner::kMaxPathLength))
       ->capture_default_str();
   app.add_flag("!--no-sharing", options.sharing,
                "each worker searches a tree of its own, for comparison");
@@ -135,7 +136,7 @@ void Define(CLI::App& app, BenchOverheadOptions& options) {
       ->capture_default_str();
   app.add_option("--depth", options.depth, "of the tree")
       ->type_name("N")
-      ->transform(Whole(1, 32))
+      ->transform(Whole(1, planner::kMaxPathLength))
       ->capture_default_str();
   DefineReport(app, options.report);
 }
