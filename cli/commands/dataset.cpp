@@ -42,10 +42,17 @@ void DefineFile(CLI::App& app, std::string& file) {
   app.add_option("FILE", file, "the data set")->required();
 }
 
+void DefineTaskOfData(CLI::App& app, std::string& task) {
+  DefineTask(app, task, Tasks::kAll)
+      ->description("whose actions they are")
+      ->default_str("the installed one of the data's task");
+}
+
 }  // namespace
 
 void Define(CLI::App& app, DatasetInfoOptions& options) {
   DefineFile(app, options.file);
+  DefineTaskOfData(app, options.task);
   DefineReport(app, options.report);
 }
 
@@ -64,6 +71,7 @@ void Define(CLI::App& app, DatasetPackOptions& options) {
 
 void Define(CLI::App& app, DatasetSheetOptions& options) {
   DefineFile(app, options.file);
+  DefineTaskOfData(app, options.task);
   DefineOut(app, options.out, "the PNG to write", "FILE")->required();
   app.add_option("--rows", options.rows, "trials to show")
       ->type_name("N")

@@ -12,6 +12,7 @@ namespace prospect::cli {
 
 struct DatasetInfoOptions {
   std::string file;  ///< the data set
+  std::string task;  ///< NAME or FILE: whose actions they are; empty: the data say
   ReportOptions report;
 };
 
@@ -25,6 +26,7 @@ struct DatasetPackOptions {
 
 struct DatasetSheetOptions {
   std::string file;        ///< the data set
+  std::string task;        ///< NAME or FILE: whose actions they are; empty: the data say
   std::string out;         ///< PNG
   int rows = 12;           ///< trials to show
   std::uint64_t seed = 0;  ///< which trials are drawn

@@ -73,6 +73,8 @@ written prospect-world view --task navigation --seed 1 --size 64x48 --out NAME
 prospect-data info good.h5 --json /dev/stdout >both 2>/dev/null
 { grep -q '^task  *navigation' both && grep -q '"trials": 3' both; } || fault 'the figures took the place of the printed words'
 
+grep -q '^ *investigate(barrel) ' both || fault 'actions of a task that is installed have no names'
+
 # --- In use. The first one goes on; its lock dies with it.
 prospect-data collect --task navigation --trials 1000000 --seed 0 --jobs 2 --out many.h5 >/dev/null 2>&1 &
 first=$!

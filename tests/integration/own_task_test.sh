@@ -61,6 +61,20 @@ ends 0 "$prospect" train --task rover.yaml --data trials.h5 --out run --iteratio
 sed 's/drive(hill)/drive(dune)/' rover.yaml >dune.yaml
 expect 14 'trials.h5: was recorded with another task than dune.yaml' \
   "$prospect" train --task dune.yaml --data trials.h5 --out other
+ends 0 "$prospect" dataset info trials.h5
+says ' action 1 '
+ends 0 "$prospect" dataset info trials.h5 --task rover.yaml --json info.json
+says ' drive(hill) '
+says 'try again'
+grep -q '"action": "drive(hill)"' info.json || fault 'no names of actions in the report'
+for task in dune.yaml stacking; do
+  expect 14 'was recorded with another task than .*; name the file that it was recorded with' \
+    "$prospect" dataset info trials.h5 --task "$task"
+done
+ends 0 "$prospect" dataset sheet trials.h5 --rows 1 --out numbers.png
+ends 0 "$prospect" dataset sheet trials.h5 --rows 1 --out names.png --task rover.yaml
+cmp -s numbers.png names.png && fault 'the sheet shows no names'
+expect 14 'was recorded with another task than dune.yaml' "$prospect" dataset sheet trials.h5 --out dune.png --task dune.yaml
 
 expect 2 'rover has no built-in simulator: .* up --no-simulator --task rover.yaml' "$prospect" up --task rover.yaml
 ends 0 "$prospect" up --no-simulator --open --task rover.yaml --weights run/rover.safetensors --workers 1

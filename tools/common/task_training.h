@@ -13,8 +13,4 @@ namespace prospect::tools {
 /// model::DataError.
 model::TrainConfig TrainConfigOf(const tasks::TaskFile& task, const std::string& data = "");
 
-/// Throws model::DataError where the data were recorded with another table than a person's own
-/// file has.
-void RequireSameTable(const tasks::TaskFile& task, const std::string& data);
-
 }  // namespace prospect::tools

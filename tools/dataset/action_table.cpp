@@ -1,29 +1,11 @@
 #include "tools/dataset/action_table.h"
 
-#include <cstdio>
-#include <stdexcept>
-
-#include "base/hash.h"
-#include "model/jigsaws/gestures.h"
-#include "sim/task_factory.h"
-
 namespace prospect::tools {
 
-ActionTable::ActionTable(const model::Trial& trial) {
-  if (model::jigsaws::IsGestureTask(trial.task) && trial.num_actions == model::jigsaws::kGestures) {
-    for (int action = 0; action < model::jigsaws::kGestures; ++action) {
-      names_.push_back(model::jigsaws::GestureName(action));
-    }
-    return;
-  }
-  try {
-    const auto task = sim::MakeTask(trial.task);
-    if (trial.task_hash != base::HexText(task->spec().Hash())) return;
-    for (const sim::ActionSpec& action : task->spec().actions) names_.push_back(action.name);
-    successors_ = task->spec().successors;
-  } catch (const std::invalid_argument&) {
-    // Somebody else's task: numbers will do.
-  }
+ActionTable::ActionTable(const sim::TaskSpec* spec) {
+  if (spec == nullptr) return;
+  for (const sim::ActionSpec& action : spec->actions) names_.push_back(action.name);
+  successors_ = spec->successors;
 }
 
 std::string ActionTable::Name(int action) const {

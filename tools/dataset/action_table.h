@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "model/trial.h"
+#include "sim/task.h"
 
 namespace prospect::tools {
 
 // What a data set's actions are called and what may follow what. Data sets hold numbers; names come
-// from the task of that name if it is one of ours and its table is the file's.
+// from the task that they were recorded with.
 class ActionTable {
  public:
-  // Of the task that `trial` names; without names if that is not one of ours.
-  explicit ActionTable(const model::Trial& trial);
+  // Of that task's table; null: numbers must do.
+  explicit ActionTable(const sim::TaskSpec* spec);
 
   std::string Name(int action) const;
   bool KnowsRetries() const { return !successors_.empty(); }

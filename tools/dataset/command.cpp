@@ -6,10 +6,12 @@
 
 #include "base/atomic_file.h"
 #include "base/quiet.h"
+#include "cli/options/task.h"
 #include "cli/report_file.h"
 #include "model/dataset.h"
 #include "model/robomimic/export.h"
 #include "report/png.h"
+#include "tools/common/same_table.h"
 #include "tools/data/commands.h"
 #include "tools/dataset/apart.h"
 #include "tools/dataset/info.h"
@@ -46,11 +48,25 @@ model::PackChoice ChoiceOf(const cli::DatasetPackOptions& options) {
   return choice;
 }
 
+/// The table that the data were recorded with: of the task that is named, or of the installed one
+/// of that name where it is the same. Null: neither.
+const sim::TaskSpec* TableOf(const std::string& task, const model::TrialFile& data) {
+  if (!task.empty()) {
+    RequireSameTable(cli::TaskOf(task), data);
+    return &cli::TaskOf(task).spec;
+  }
+  if (data.size() == 0) return nullptr;
+  const model::Trial trial = data.ReadLabels(0);
+  const tasks::TaskFile* installed = cli::InstalledTask(trial.task);
+  return installed && TableDifference(*installed, trial).empty() ? &installed->spec : nullptr;
+}
+
 }  // namespace
 
 int RunInfo(const cli::DatasetInfoOptions& options) {
   const auto work = [&] {
-    const DataSetInfo info = Inspect(model::TrialFile(options.file));
+    const model::TrialFile file(options.file);
+    const DataSetInfo info = Inspect(file, TableOf(options.task, file));
     if (options.report.talks()) PrintInfo(info, stdout);
     cli::WriteReport(options.report, InfoJson(info));
     return 0;
@@ -83,7 +99,9 @@ int RunExport(const cli::DatasetExportOptions& options) {
 int RunSheet(const cli::DatasetSheetOptions& options) {
   const auto work = [&] {
     const auto rows = static_cast<std::size_t>(options.rows);
-    report::WritePng(options.out, ContactSheet(model::TrialFile(options.file), rows, options.seed));
+    const model::TrialFile file(options.file);
+    report::WritePng(options.out,
+                     ContactSheet(file, TableOf(options.task, file), rows, options.seed));
     if (!base::Quiet())
       std::printf("%s: a trial a row, the first picture of each action, and the last\n",
                   options.out.c_str());

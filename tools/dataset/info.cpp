@@ -58,11 +58,10 @@ double Percent(std::size_t part, std::size_t whole) {
 
 }  // namespace
 
-DataSetInfo Inspect(const model::TrialFile& file) {
+DataSetInfo Inspect(const model::TrialFile& file, const sim::TaskSpec* spec) {
   DataSetInfo info;
   info.summary = model::Summarize(file);
-  if (file.size() == 0) return info;
-  const ActionTable table(file.ReadLabels(0));
+  const ActionTable table(spec);
   if (table.KnowsRetries()) info.retries = 0;
   std::map<int, Segments> of_action;
   for (std::size_t i = 0; i < file.size(); ++i) {

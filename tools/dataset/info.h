@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/dataset.h"
+#include "sim/task.h"
 
 namespace prospect::tools {
 
@@ -25,8 +26,9 @@ struct DataSetInfo {
   int retries = -1;                     // trials that try again; -1: not known of this task
 };
 
-// Reads all labels. Throws model::DataError.
-DataSetInfo Inspect(const model::TrialFile& file);
+// Reads all labels. `spec`: the table that the file was recorded with; null: not known. Throws
+// model::DataError.
+DataSetInfo Inspect(const model::TrialFile& file, const sim::TaskSpec* spec);
 
 void PrintInfo(const DataSetInfo& info, std::FILE* out);
 

@@ -66,13 +66,13 @@ std::string Title(const model::TrialFile& file, const std::string& task, std::si
 
 }  // namespace
 
-sim::Image ContactSheet(const model::TrialFile& file, std::size_t rows, std::uint64_t seed) {
+sim::Image ContactSheet(const model::TrialFile& file, const sim::TaskSpec* spec, std::size_t rows,
+                        std::uint64_t seed) {
   if (file.size() == 0) throw model::DataError(file.path() + ": has no trials");
   const std::vector<std::size_t> chosen = DrawTrials(file.size(), rows, seed);
-  const model::Trial first = file.ReadLabels(chosen.front());
-  const ActionTable table(first);
+  const ActionTable table(spec);
   report::ContactSheet sheet;
-  sheet.title = Title(file, first.task, chosen.size(), seed);
+  sheet.title = Title(file, file.ReadLabels(chosen.front()).task, chosen.size(), seed);
   for (const std::size_t index : chosen)
     sheet.rows.push_back(RowOf(file, index, file.ReadLabels(index), table));
   return report::Draw(sheet);

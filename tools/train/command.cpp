@@ -22,6 +22,7 @@
 #include "model/weights.h"
 #include "tasks/task_folder.h"
 #include "tools/common/recorded_report.h"
+#include "tools/common/same_table.h"
 #include "tools/common/task_training.h"
 #include "tools/train/commands.h"
 
@@ -247,7 +248,8 @@ int RunTrain(const cli::TrainOptions& options, const std::string& command) {
     std::printf("%s\n", nlohmann::json(config).dump(2).c_str());
     return 0;
   }
-  if (tasks::MeansFile(options.task)) RequireSameTable(cli::TaskOf(options.task), options.data);
+  if (tasks::MeansFile(options.task))
+    RequireSameTable(cli::TaskOf(options.task), model::TrialFile(options.data));
   const base::Lock own = base::LockFolder(options.out);
   if (!options.score.empty()) return ScoreOnly(options);
   model::TrainOptions run = RunOf(options);

@@ -22,7 +22,7 @@ TEST(ContactSheet, HasATitleAndTheSeedOfEachRow) {
   const auto sheet_of = [&](std::uint64_t trial) {
     const std::string path = folder / "trials.h5";
     model::WriteTrialFile(path, model::MadeTrial(trial, 2, false, 4, 128));
-    return ContactSheet(model::TrialFile(path), 1, 0);
+    return ContactSheet(model::TrialFile(path), nullptr, 1, 0);
   };
   const sim::Image sheet = sheet_of(1);
   EXPECT_GT(InkOf(sheet, 0, 18), 500) << "the title";
@@ -37,7 +37,7 @@ TEST(ContactSheet, ALongTrialGoesOnBelow) {
   const auto sheet_of = [&](int segments) {
     const std::string path = folder / "trials.h5";
     model::WriteTrialFile(path, model::MadeTrial(1, segments, false, 4, 128));
-    return ContactSheet(model::TrialFile(path), 1, 0);
+    return ContactSheet(model::TrialFile(path), nullptr, 1, 0);
   };
   const sim::Image brief = sheet_of(6);
   const sim::Image lengthy = sheet_of(20);
