@@ -7,6 +7,7 @@
 
 #include "base/hash.h"
 #include "base/number_format.h"
+#include "lcmtypes/validate.h"
 #include "services/common/clock.h"
 #include "services/common/ids.h"
 #include "services/common/robot_hold.h"
@@ -184,8 +185,11 @@ void RobotCheck::CheckRefusals() {
     return Send(command) && status_->state == action_status_t::STATE_REFUSED &&
            !status_->reason.empty();
   };
-  Note("an action that is not in the table is refused, with a reason",
-       refused(Command(action_command_t::KIND_START, task_->num_actions)));
+  const std::string unknown = "an action that is not in the table is refused, with a reason";
+  if (task_->num_actions < messages::kMaxActions)
+    Note(unknown, refused(Command(action_command_t::KIND_START, task_->num_actions)));
+  else  // the bus carries no command that names another
+    NotTried(unknown, "the table is the largest there may be");
   action_command_t elsewhere = Command(action_command_t::KIND_START, task_->initial.front());
   elsewhere.episode_id += 1;
   Note("a command for another episode is refused, with a reason", refused(elsewhere));
