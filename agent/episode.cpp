@@ -24,6 +24,12 @@ planner::Path NamedWhatIf(const EpisodeOptions& options, const TaskView& task) {
   }
 }
 
+// A threshold holds for plans that were found as those it was taken from.
+void ChooseRule(const MindInfo& info, planner::SearchParameters* search) {
+  if (!search->rule.empty()) return;
+  search->UseRule(info.rule.empty() ? planner::SearchParameters().rule : info.rule);
+}
+
 }  // namespace
 
 Episode::Episode(World& world, Mind* mind, const EpisodeOptions& options, Listener& listener)
@@ -75,6 +81,7 @@ void Episode::LearnScene() {
   MindInfo info;
   if (!options_.plan) {
     info = mind_->Choose();
+    ChooseRule(info, &options_.search);
     refusals_.emplace(*mind_, info, options_, kind, listener_);
     record_.not_covered = refusals_->not_covered();
   }

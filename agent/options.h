@@ -17,7 +17,9 @@ struct EpisodeOptions {
   /// The actions to carry out, asked for when the scene stands; null: they are searched for.
   std::function<std::vector<int>()> plan;
   std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
-  planner::SearchParameters search;  ///< rule, constants, samples, depth (0: what remains)
+  /// Rule, constants, samples, depth (0: what remains). No rule: the one that the weights were
+  /// calibrated with.
+  planner::SearchParameters search;
   double refusal_threshold = -1;  ///< plans that score less are refused; negative: the weights' own
   int retries = 1;  ///< times a plan that is lost may be begun anew, where the task allows it
   double surprise = model::kSurprising;  ///< it is lost where a patch differs more than this

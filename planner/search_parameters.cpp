@@ -22,8 +22,9 @@ void SearchParameters::UseRule(const std::string& name) {
   const SearchParameters defaults;
   const bool uncut = MakeSelectionRule(name, c, c_puct)->asks_for_open();
   rule = name;
-  c_done = uncut ? kCertainFailure : defaults.c_done;
-  v_failed = uncut ? 0 : defaults.v_failed;
+  if (c_done == defaults.c_done || c_done == kCertainFailure)
+    c_done = uncut ? kCertainFailure : defaults.c_done;
+  if (v_failed == defaults.v_failed || v_failed == 0) v_failed = uncut ? 0 : defaults.v_failed;
 }
 
 void SearchParameters::Validate() const {

@@ -40,7 +40,7 @@ struct SearchParameters {
   // `name` as the rule, with what it takes a failed action and a hopeless future for. A rule that
   // begins where f along the path is highest comes to doubtful futures last, and needs no cut
   // (c_done 0.01, v_failed 0): cuts made for three steps rule most plans of five out. The others
-  // keep the defaults above.
+  // keep the defaults above. Cuts that were set to anything else stay as they are.
   void UseRule(const std::string& name);
 
   // Throws std::invalid_argument naming the field and its range.

@@ -32,7 +32,7 @@ struct EpisodeOptions {
   std::string goal;            ///< as planner::ParseGoal reads it; empty: the task's own
   int workers = 0;             ///< planner workers; 0: what is up, or two
   std::int64_t samples = 30;   ///< rollouts a search
-  std::string rule = "paper";  ///< of planner/selection_rule.h
+  std::string rule;  ///< of planner/selection_rule.h; empty: as the weights were calibrated
   int depth = 0;               ///< actions to look ahead; 0: what remains of the plan
   RefusalOptions refusal;
   bool verbose = false;

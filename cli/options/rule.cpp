@@ -9,7 +9,8 @@ CLI::Option* DefineRule(CLI::App& app, std::string& rule) {
   return app.add_option("--rule", rule, "selection rule of the search; planner/README.md")
       ->type_name("NAME")
       ->check(OneOf(planner::SelectionRuleNames()))
-      ->capture_default_str();
+      ->default_str(rule.empty() ? "the one that the weights were calibrated with, else paper"
+                                 : rule);
 }
 
 }  // namespace prospect::cli

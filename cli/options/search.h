@@ -13,7 +13,7 @@ struct SearchOptions {
   std::int64_t samples = 30;       ///< rollouts a search, of all workers
   int workers = 1;                 ///< that share each search, inside one process
   int depth = 64;                  ///< actions to look ahead; the plan's rest limits it
-  std::string rule = "paper";      ///< planner/selection_rule.h
+  std::string rule;                ///< planner/selection_rule.h; empty: as calibrated
   std::optional<double> v_failed;  ///< V below it: given up; left out: as everywhere
   int retries = 1;                 ///< times a plan that is lost may be begun anew
   std::optional<double> surprise;  ///< a larger difference means lost; left out: as everywhere

@@ -17,7 +17,8 @@ void Take(const cli::EpisodeOptions& asked, ExecutiveOptions* taker) {
   options.goal = asked.goal;
   options.search.samples = asked.samples;
   options.search.depth = asked.depth;
-  options.search.UseRule(asked.rule);
+  options.search.rule = asked.rule;
+  if (!asked.rule.empty()) options.search.UseRule(asked.rule);
   options.workers = asked.workers > 0 ? asked.workers : 1;
   options.refusal_threshold = asked.refusal.threshold.value_or(-1);
   options.promise.refuse_at_most = asked.refusal.promise.refuse_at_most;

@@ -360,6 +360,7 @@ void ModelServer::PublishInfo(const Active* active) {
   info.image_height = engine.image_height;
   info.judges = engine.judges ? 1 : 0;
   info.refusal_threshold = engine.refusal_threshold;
+  info.rule = engine.calibration.rule;
   info.search_id = active ? active->root.search_id : 0;
   info.epoch = active ? active->root.epoch : 0;
   info.queue = static_cast<std::int32_t>(queue_.paths());

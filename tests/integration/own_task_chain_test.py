@@ -16,7 +16,8 @@ import world
 
 BIN, ROBOT, TASK = sys.argv[1:4]
 TRIALS, SCENES, FIRST_SCENE = 2000, 60, 2000000
-ITERATIONS = 2000  # of T, the other networks in proportion: not minutes, so that a busy machine only takes longer
+# Of T, the other networks in proportion; under three minutes on two cores. Not minutes, so that a busy machine only takes longer.
+ITERATIONS = 1700
 ROLLOUTS = "100"  # of 12 actions eight may begin a plan: with fewer some plans are not followed to their end
 
 
@@ -109,8 +110,8 @@ class Chain(unittest.TestCase):
         self.assertEqual(len(report["records"]), SCENES)
         self.assertLessEqual(share(solvable, "random", "solved"), 0.45, words)
         self.assertGreaterEqual(share(lost, "planner", "refused"), 0.7, words)
-        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.5, words)
-        self.assertGreater(report["planner_minus_random_interval"][0], 0.0, words)
+        self.assertGreaterEqual(share(solvable, "planner", "solved"), 0.8, words)
+        self.assertGreater(report["planner_minus_random_interval"][0], 0.2, words)
         # Asked again it runs nothing again.
         again, _ = self.report("prospect-evaluate", "on-bus", "--seed", str(FIRST_SCENE), "--episodes", str(SCENES),
                                "--samples", ROLLOUTS, "--rows", "planner,random", "--out", self.path("loop"))

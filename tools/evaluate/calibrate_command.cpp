@@ -20,6 +20,10 @@
 namespace prospect::tools {
 namespace {
 
+// Weights of few trials are sure of too much: their V and f may rule every future out, so plans are
+// looked for where they fail least, and only certain failures are given up.
+constexpr char kRuleOfData[] = "best_first";
+
 // Calibration looks at the planner's scores alone, on scenes kept for it, with nothing refused.
 ClosedLoop LoopOf(const cli::CalibrateOptions& options) {
   ClosedLoop loop;
@@ -66,7 +70,8 @@ std::string CommandOf(const cli::CalibrateOptions& options, const ClosedLoop& lo
   std::ostringstream text;
   text << "./prospect evaluate calibrate --task " << options.task << SceneWords(options.scene)
        << " --scenes " << options.scenes << " --seed " << options.seed << " --samples "
-       << loop.search.samples << " --v-failed " << loop.search.v_failed;
+       << loop.search.samples << " --rule " << loop.search.rule << " --v-failed "
+       << loop.search.v_failed;
   AddPromise(promise, &text);
   return text.str();
 }
@@ -83,8 +88,8 @@ std::string DataCommandOf(const cli::CalibrateOptions& options, const model::Pro
 }
 
 // What a recorded plan's score depends on; how it was found does not matter.
-std::map<std::string, double> RecordedParameters(const model::RecordedTrials& judged) {
-  const model::GivenUpBelow limits;
+std::map<std::string, double> RecordedParameters(const model::RecordedTrials& judged,
+                                                 const model::GivenUpBelow& limits) {
   return {{"c_done", limits.done},
           {"v_failed", limits.value},
           {"p_min", limits.possible},
@@ -131,10 +136,11 @@ model::Promise PromiseFor(const cli::CalibrateOptions& options,
 // Of recorded trials: each holds one plan that was carried out, whatever its score.
 int CalibrateByData(const cli::CalibrateOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
-  const Recorded recorded = JudgeData(options.data, weights, options.all);
+  const std::string rule = options.search.rule.empty() ? kRuleOfData : options.search.rule;
+  const Recorded recorded = JudgeData(options.data, weights, rule, options.all);
   model::CalibrationSample sample = SampleOf(recorded.judged);
-  sample.rule = options.search.rule;
-  sample.parameters = RecordedParameters(recorded.judged);
+  sample.rule = rule;
+  sample.parameters = RecordedParameters(recorded.judged, GivenUpBy(rule));
   const model::Promise promise = PromiseFor(options, sample);
   const std::string command = DataCommandOf(options, promise);
   std::vector<std::string> sentences;

@@ -15,6 +15,7 @@
 #include "tools/common/words.h"
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/report.h"
+#include "tools/evaluate/rule.h"
 #include "tools/evaluate/scene_bench.h"
 #include "tools/evaluate/simulated_world.h"
 
@@ -71,7 +72,7 @@ void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* 
   loop->search.samples = search.samples;
   loop->search.workers = search.workers;
   loop->search.depth = search.depth;
-  loop->search.UseRule(search.rule);
+  loop->search.UseRule(search.rule.empty() ? RuleOf(loop->weights) : search.rule);
   if (search.v_failed) loop->search.v_failed = *search.v_failed;
   loop->retries = search.retries;
   loop->surprise = search.surprise.value_or(model::kSurprising);

@@ -9,6 +9,7 @@
 #include "tools/evaluate/decider.h"
 #include "tools/evaluate/plan_rank.h"
 #include "tools/evaluate/recorded.h"
+#include "tools/evaluate/rule.h"
 
 namespace prospect::tools {
 namespace {
@@ -30,8 +31,8 @@ std::vector<PlanRank> RanksOf(const cli::EvaluateDataOptions& options, const Rec
 }  // namespace
 
 int RunData(const cli::EvaluateDataOptions& options) {
-  const Recorded recorded =
-      JudgeData(options.data, cli::WeightsFile(options.weights, options.task), options.all);
+  const std::string weights = cli::WeightsFile(options.weights, options.task);
+  const Recorded recorded = JudgeData(options.data, weights, RuleOf(weights), options.all);
   nlohmann::json report = ReportOf(recorded.judged, ActionNames(options.task),
                                    model::NoveltyGauge::Load(recorded.weights));
   report["task"] = cli::TaskOf(options.task).spec.name;

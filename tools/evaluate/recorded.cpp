@@ -5,6 +5,7 @@
 #include "base/number_format.h"
 #include "base/stop_signals.h"
 #include "model/weights_file.h"
+#include "planner/search_parameters.h"
 #include "tools/common/progress.h"
 #include "tools/common/words.h"
 
@@ -23,7 +24,14 @@ void RequireUnseen(const model::TrialFile& file, const std::string& weights) {
 
 }  // namespace
 
-Recorded JudgeData(const std::string& data, const std::string& weights, bool all) {
+model::GivenUpBelow GivenUpBy(const std::string& rule) {
+  planner::SearchParameters search;
+  search.UseRule(rule);
+  return {search.c_done, search.v_failed, search.p_min};
+}
+
+Recorded JudgeData(const std::string& data, const std::string& weights, const std::string& rule,
+                   bool all) {
   const model::TrialFile file(data);
   if (all) RequireUnseen(file, weights);
   const std::vector<std::size_t> trials = model::HeldOutTrials(file, all);
@@ -39,7 +47,7 @@ Recorded JudgeData(const std::string& data, const std::string& weights, bool all
     progress.Step();
     if (base::StopRequested()) throw ExitError(kExitInterrupted, "stopped; nothing was stored");
   };
-  return {weights, model::JudgeRecorded(*engine, file, trials, {}, step)};
+  return {weights, model::JudgeRecorded(*engine, file, trials, GivenUpBy(rule), step)};
 }
 
 std::string StoreRecordedNovelty(const Recorded& recorded, const std::string& command) {

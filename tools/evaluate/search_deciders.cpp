@@ -19,7 +19,8 @@ class EngineMind : public LocalMind {
   void Enter(sim::Task&, std::uint64_t) override { frame_ = -1; }
 
   agent::MindInfo Choose() override {
-    return {engine_->info().engine, "", engine_->info().refusal_threshold};
+    const model::EngineInfo& info = engine_->info();
+    return {info.engine, "", info.refusal_threshold, info.calibration.rule};
   }
 
   std::map<planner::Path, planner::Evaluation> Judge(

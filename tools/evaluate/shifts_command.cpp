@@ -11,6 +11,7 @@
 #include "tools/evaluate/calibrate.h"
 #include "tools/evaluate/commands.h"
 #include "tools/evaluate/record_file.h"
+#include "tools/evaluate/rule.h"
 #include "tools/evaluate/scene_runs.h"
 #include "tools/evaluate/shift_sweep.h"
 
@@ -57,6 +58,7 @@ Sweep SweepOf(const cli::EvaluateShiftsOptions& options) {
   sweep.sweep.weights = cli::WeightsFile(options.weights, options.task);
   sweep.sweep.world = WorldOf(options.scene);
   sweep.sweep.search.samples = options.samples;
+  sweep.sweep.search.UseRule(RuleOf(sweep.sweep.weights));
   sweep.sweep.novelty_level = options.novelty;
   sweep.sweep.points = ShiftPoints(options.factors);
   sweep.sweep.search.refusal_threshold = ThresholdOf(options, sweep.sweep);

@@ -25,7 +25,9 @@ planner::SearchParameters SearchOf(const cli::FiguresOptions& options, const Stu
   planner::SearchParameters parameters;
   parameters.samples = options.samples;
   parameters.seed = options.seed;
-  parameters.refusal_threshold = studio.own.engine->info().refusal_threshold;
+  const model::EngineInfo& info = studio.own.engine->info();
+  parameters.refusal_threshold = info.refusal_threshold;
+  if (!info.calibration.rule.empty()) parameters.UseRule(info.calibration.rule);
   return parameters;
 }
 

@@ -57,6 +57,21 @@ class EpisodeTest : public ::testing::Test {
   Told told_;
 };
 
+TEST_F(EpisodeTest, SearchesByTheRuleOfTheCalibrationUnlessAskedForAnother) {
+  const auto rule_of_search = [this](const std::string& asked, const std::string& calibrated) {
+    options_.search = planner::SearchParameters();
+    options_.search.rule = asked;
+    mind_.rule = calibrated;
+    mind_.questions.clear();
+    Run();
+    return mind_.questions.at(0).parameters;
+  };
+  EXPECT_EQ(rule_of_search("", "best_first").rule, "best_first");
+  EXPECT_EQ(rule_of_search("", "best_first").v_failed, 0) << "its cuts, too";
+  EXPECT_EQ(rule_of_search("puct", "best_first").rule, "puct");
+  EXPECT_EQ(rule_of_search("", "").rule, planner::SearchParameters().rule);
+}
+
 TEST_F(EpisodeTest, IsSolvedWhenTheWorldSaysSo) {
   Finds({2, 0, 1});
   const EpisodeRecord record = Run();

@@ -134,7 +134,7 @@ class ScriptedMind : public Mind {
 
   MindInfo Choose() override {
     script_.Call("choose");
-    return {"scripted", "00000000000000aa", 0.25};
+    return {"scripted", "00000000000000aa", 0.25, rule};
   }
   const model::CalibrationSample* Calibration(bool needed) override {
     script_.Call(needed ? "calibration(needed)" : "calibration");
@@ -177,6 +177,7 @@ class ScriptedMind : public Mind {
   }
 
   std::deque<planner::Plan> plans;  ///< beyond: refusals
+  std::string rule;                 ///< by which its threshold was calibrated
   std::optional<model::CalibrationSample> calibration;
   Recognition recognition;
   bool draws = true;

@@ -269,6 +269,9 @@ TEST(Search, OnlyARuleThatRanksByDoubtItselfCutsLess) {
   parameters.UseRule("paper");
   EXPECT_EQ(parameters.c_done, SearchParameters{}.c_done);
   EXPECT_EQ(parameters.v_failed, SearchParameters{}.v_failed);
+  parameters.v_failed = 0.2;
+  parameters.UseRule("best_first");
+  EXPECT_EQ(parameters.v_failed, 0.2) << "somebody asked for it";
   EXPECT_THROW(parameters.UseRule("none"), std::invalid_argument);
 }
 
