@@ -1,6 +1,7 @@
 #include "tools/dataset/info.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/common/causes.h"
 #include "tools/dataset/action_table.h"
@@ -31,7 +32,8 @@ void AddSegments(const model::Trial& trial, std::map<int, Segments>* of_action) 
 }
 
 double Percentile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
+  return sorted[static_cast<std::size_t>(
+      std::lround(share * static_cast<double>(sorted.size() - 1)))];
 }
 
 SegmentLengths Measure(const std::string& name, Segments segments) {
