@@ -23,7 +23,7 @@ struct MindInfo {
   std::string engine;            ///< "native avx512", "scripted"
   std::string weights;           ///< hash, 16 hexadecimal digits; empty: there are none
   double refusal_threshold = 0;  ///< the weights' own: plans that score less are to be refused
-  std::string rule = {};  ///< of the searches that it was calibrated with; empty: it was not
+  std::string rule = {};         ///< of the searches that it was calibrated with; empty: it was not
 };
 
 /// What is to be searched.

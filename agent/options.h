@@ -16,7 +16,7 @@ struct EpisodeOptions {
   std::string policy = "search";  ///< what decides, for the record
   /// The actions to carry out, asked for when the scene stands; null: they are searched for.
   std::function<std::vector<int>()> plan;
-  std::string goal;                  ///< what planner::ParseGoal reads; empty: the task's own
+  std::string goal;  ///< what planner::ParseGoal reads; empty: the task's own
   /// Rule, constants, samples, depth (0: what remains). No rule: the one that the weights were
   /// calibrated with.
   planner::SearchParameters search;

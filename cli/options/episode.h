@@ -28,12 +28,12 @@ struct EpisodeOptions {
   BusOptions bus;
   std::string task;  ///< empty: what is up, or the default
   std::int64_t seed = 2'000'000;
-  SceneOptions scene;          ///< its size only
-  std::string goal;            ///< as planner::ParseGoal reads it; empty: the task's own
-  int workers = 0;             ///< planner workers; 0: what is up, or two
-  std::int64_t samples = 30;   ///< rollouts a search
+  SceneOptions scene;         ///< its size only
+  std::string goal;           ///< as planner::ParseGoal reads it; empty: the task's own
+  int workers = 0;            ///< planner workers; 0: what is up, or two
+  std::int64_t samples = 30;  ///< rollouts a search
   std::string rule;  ///< of planner/selection_rule.h; empty: as the weights were calibrated
-  int depth = 0;               ///< actions to look ahead; 0: what remains of the plan
+  int depth = 0;     ///< actions to look ahead; 0: what remains of the plan
   RefusalOptions refusal;
   bool verbose = false;
   std::string out;  ///< folder of results; empty: the command's own

@@ -63,7 +63,8 @@ void ActionRunner::Start(const action_command_t& command) {
   const auto answered = [&] {
     return Named(command.command_id) || StoppedFromElsewhere(command.command_id);
   };
-  const bool noticed = talk_.Until(answered, kNoticeMs, [&] { talk_.Say(command); }, kRepeatMs);
+  const bool noticed = talk_.Until(
+      answered, kNoticeMs, [&] { talk_.Say(command); }, kRepeatMs);
   if (!noticed) throw ExitError(kExitTimeout, "ACTION_COMMAND was not taken notice of within 5 s");
 }
 

@@ -18,8 +18,8 @@ class ActionRunner {
   /// Starts `action` and waits for its end. Returns the final status: succeeded, failed, cancelled,
   /// refused, or ended, where the robot cannot tell. Throws kExitServiceLost when whoever carries
   /// actions out falls silent, kExitTimeout when it takes no notice of the command or the action
-  /// never ends, and kExitInterrupted after a stop signal, or when a console stopped it; whatever is thrown, the action is
-  /// cancelled first.
+  /// never ends, and kExitInterrupted after a stop signal, or when a console stopped it; whatever
+  /// is thrown, the action is cancelled first.
   action_status_t CarryOut(int action);
 
  private:

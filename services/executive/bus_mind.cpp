@@ -11,8 +11,7 @@ BusMind::BusMind(Conversation& talk, const ExecutiveOptions& options)
 
 agent::MindInfo BusMind::Choose() {
   model_ = ChooseModel(talk_, options_);
-  return {model_.engine, base::HexText(model_.weights_hash), model_.refusal_threshold,
-          model_.rule};
+  return {model_.engine, base::HexText(model_.weights_hash), model_.refusal_threshold, model_.rule};
 }
 
 const model::CalibrationSample* BusMind::Calibration(bool needed) {
