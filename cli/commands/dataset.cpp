@@ -44,8 +44,10 @@ void DefineFile(CLI::App& app, std::string& file) {
 
 void DefineTaskOfData(CLI::App& app, std::string& task) {
   DefineTask(app, task, Tasks::kAll)
-      ->description("whose actions they are")
-      ->default_str("the installed one of the data's task");
+      ->description(
+          "whose actions they are; without it the installed task of the data's name, if its table "
+          "is the data's")
+      ->default_str("");
 }
 
 }  // namespace
