@@ -23,7 +23,7 @@ struct Frame {
 /// so then, and is told what it missed. One thread at a time, with the model.
 class ViewerFeed {
  public:
-  static constexpr std::int64_t kPeriodMs = 40;    ///< between two messages of data
+  static constexpr std::int64_t kPeriodMs = 80;    ///< between two messages of data
   static constexpr std::int64_t kPictureMs = 100;  ///< between two camera pictures: 10 a second
   static constexpr std::size_t kRowsPerMessage = 2000;
   static constexpr std::size_t kMostWanted = 512;

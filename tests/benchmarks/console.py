@@ -15,6 +15,7 @@ PAIRS = int(os.environ.get("PAIRS", 12))
 SAMPLES = os.environ.get("SAMPLES", "1000")
 WORKERS = os.environ.get("WORKERS", "8")
 SEED = int(os.environ.get("SEED", 2000100))
+SITE = ["--objects", "7", "--legs", "5"]  # 2,520 plans: each rollout has something to ask the networks for
 STALLED = os.environ.get("STALLED") == "1"
 IDLE_SECONDS = 20
 
@@ -22,8 +23,8 @@ IDLE_SECONDS = 20
 def rollouts_per_second(folder, seed):
     """Of one search, nothing carried out."""
     out = os.path.join(folder, "measured")
-    subprocess.run([deployment.program("prospect"), "explain", "--seed", str(seed), "--samples", SAMPLES, "--workers", WORKERS,
-                    "--out", out, "--quiet"], check=False, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run([deployment.program("prospect"), "explain", "--seed", str(seed), *SITE, "--samples", SAMPLES, "--workers", WORKERS,
+                    "--rule", "best_first", "--refusal-threshold", "0", "--out", out, "--quiet"], check=False, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     with open(os.path.join(out, "result.json"), encoding="utf-8") as file:
         search = json.load(file)["searches"][0]
     return search["rollouts"] / search["seconds"]
@@ -45,7 +46,7 @@ def looking(console):
 
 
 def main():
-    with deployment.deployment(task="stacking", weights=os.path.join(ROOT, "model", "weights"), workers=int(WORKERS)) as folder:
+    with deployment.deployment(*SITE, weights=os.path.join(ROOT, "model", "weights"), workers=int(WORKERS)) as folder:
         console = deployment.Console(folder, *deployment.console_arguments(folder))
         ratios = []
         share = None

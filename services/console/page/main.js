@@ -113,7 +113,6 @@ const takers = {
     }
     if (message.missed) known.missed = message.missed;
     noteLatency(message);
-    tellConnection();
   },
   picture(header, bytes) {
     if (header.k === 'camera') showCamera(header, bytes);
@@ -144,6 +143,7 @@ const takers = {
 };
 
 function tellConnection() {
+  if (known.connection === undefined) return;
   const { missed } = known;
   const late = latencies.length ? `, ${fixed(d3.median(latencies), 0)} ms behind the bus` : '';
   const lost = missed ? `${count(missed.pictures)} camera pictures left out (10 a second are shown)${missed.stalled_s ? `, stalled for ${fixed(missed.stalled_s, 1)} s` : ''}` : '';
@@ -154,15 +154,20 @@ function tellConnection() {
 
 by('search-pick').onchange = (event) => say({ t: 'watch', search: event.target.value || null });
 
-// Pictures come one by one; what shows them is painted once for all that came.
+setInterval(tellConnection, 500);
+
+// Pictures come one by one; what shows them is painted once for all that came, less often while the search has use for the processors.
+const kPaintEvery = 80, kWhileThinking = 240;
+let paintedAt = 0;
 setInterval(() => {
-  if (!repaint) return;
+  if (!repaint || (tree.meta?.running && performance.now() - paintedAt < kWhileThinking)) return;
+  paintedAt = performance.now();
   repaint = false;
   treeView.touch();
   strip.update(known.state);
   refusal.paint();
   whatIfPanel.paint();
-}, 80);
+}, kPaintEvery);
 
 connection = new Connection(takers);
 // For tests, and for the curious.

@@ -8,6 +8,8 @@ import { paintTree } from './tree_paint.js';
 import { actionName, count, fixed, pathName } from './words.js';
 
 const kLevel = 150, kRow = 24, kSmooth = 0.25, kBigTree = 5000, kLayoutEvery = 250;
+// The browser may have to share its processors with the search that it shows.
+const kWhileThinking = 100;
 
 export class TreeView {
   // tree: TreeData; handlers: {select(node), hover(node)}
@@ -26,6 +28,7 @@ export class TreeView {
     this.frames = [];
     this.laid = -1;
     this.laidAt = 0;
+    this.paintedAt = 0;
     this.dirty = true;
     this.zoom = d3.zoom().scaleExtent([0.005, 12]).filter(() => !d3.event.ctrlKey && !d3.event.button).on('zoom', () => this.zoomed());
     d3.select(this.canvas).call(this.zoom).on('dblclick.zoom', null);
@@ -237,10 +240,12 @@ export class TreeView {
 
   frame() {
     requestAnimationFrame(() => this.frame());
+    const begun = performance.now();
+    if (this.tree.meta?.running && begun - this.paintedAt < kWhileThinking) return;
     this.relay();
     if (!this.dirty) return;
     this.dirty = false;
-    const begun = performance.now();
+    this.paintedAt = begun;
     this.paint();
     this.frames.push(performance.now() - begun);
     if (this.frames.length > 300) this.frames.shift();
