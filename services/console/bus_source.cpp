@@ -23,6 +23,10 @@ using nlohmann::json;
 // nothing more of that executive, and the executive reads in the status that it was stopped.
 constexpr std::int64_t kLastCommand = 1 << 20;
 
+// So long a press of stop holds: CANCEL is said again in case it was lost, and to a holder of whom
+// nothing was known yet.
+constexpr std::int64_t kStopMs = 1000;
+
 std::string HostName() {
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 ? name : "";
@@ -101,6 +105,7 @@ void BusSource::WantPicture(std::int64_t search_id, const planner::Path& path, b
 
 void BusSource::Tick() {
   if (supervised_due_.Due(SteadyMs())) ReadSupervised();
+  if (SteadyMs() < stop_until_ms_) CancelAction();
   const std::lock_guard<std::mutex> lock(mutex());
   model_.Advance(UtimeNow());
   asker_.Turn(SteadyMs(), model_.Searching(), [this](const PictureAsker::Wish& wish) {
@@ -163,7 +168,8 @@ json BusSource::Facts() {
 std::string BusSource::Do(const std::string& what, const json& request) {
   if (what == "judge") return Judge(request);
   const May may = WhatMay();
-  if (what == "stop") return may.stop.empty() ? Stop() : may.stop;
+  // Whatever is known to run: a robot may have begun to move a moment ago.
+  if (what == "stop") return options_.control ? Stop() : may.stop;
   if (what == "run") {
     if (!may.run.empty()) return may.run;
     std::string task;
@@ -214,19 +220,22 @@ std::string BusSource::Judge(const json& request) {
 }
 
 std::string BusSource::Stop() {
+  stop_until_ms_ = SteadyMs() + kStopMs;
   CancelAction();
   starter_.Stop();
   StopExecutiveHere();
   return "";
 }
 
-// At once, as whoever holds the robot: nobody else is obeyed.
+// At once, as whoever holds the robot: nobody else is obeyed. Nothing where its status says that
+// it was heard.
 void BusSource::CancelAction() {
   action_command_t cancel{};
   {
     const std::lock_guard<std::mutex> lock(mutex());
     const auto& status = model_.episode().status();
     if (!status || status->holder_id == 0) return;
+    if (status->executive_id == status->holder_id && status->command_id == kLastCommand) return;
     cancel.executive_id = status->holder_id;
     cancel.command_id = kLastCommand;
     cancel.episode_id = status->episode_id;

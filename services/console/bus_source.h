@@ -65,6 +65,7 @@ class BusSource : public Source {
   PictureAsker asker_;  // guarded by mutex()
   EpisodeStarter starter_;
   std::int64_t request_id_ = 0;
+  std::int64_t stop_until_ms_ = 0;
   std::set<int> signalled_;  // executives that were asked to stop
   nlohmann::json supervised_ = nlohmann::json::array();
   Periodic supervised_due_{1000};

@@ -10,7 +10,9 @@ import unittest
 
 sys.dont_write_bytecode = True
 os.environ["PROSPECT_TEST_BIN"] = sys.argv[1]
+import prospect
 import stopping
+import websocket
 from deployment import program, until
 
 ROBOT = sys.argv[2:]
@@ -49,6 +51,15 @@ class Stop(unittest.TestCase):
             stopping.press_when_moving(self.console, self.bus)
             self.assertEqual(until(executive.poll, "the executive's end"), INTERRUPTED)
         self.stays_still()
+
+    def test_between_two_actions(self):
+        with prospect.connect() as robot, websocket.WebSocket(self.console.port) as viewer:
+            robot.begin(0)
+            viewer.say({"t": "stop"})
+            self.bus.until(lambda bus: bus.cancel, "CANCEL on the bus")
+            with self.assertRaises(prospect.Lost):
+                robot.carry_out(0)
+        self.assertNotEqual(self.bus.status.state, stopping.RUNNING)
 
     def test_a_program_of_somebodys_own(self):
         commander = stopping.Commander([0, 8, 5, 11])
