@@ -16,7 +16,7 @@ import world
 
 BIN, ROBOT, TASK = sys.argv[1:4]
 TRIALS, SCENES, FIRST_SCENE = 2000, 60, 2000000
-# Of T, the other networks in proportion; under three minutes on two cores. Not minutes, so that a busy machine only takes longer.
+# Of T, the other networks in proportion; three and a half minutes on two cores. Not minutes, so that a busy machine only takes longer.
 ITERATIONS = 1700
 REFUSED = "0.3"  # of random plans that succeeded; of the best plan of a scene far fewer
 ROLLOUTS = "100"  # of 12 actions eight may begin a plan: with fewer some plans are not followed to their end
