@@ -52,8 +52,8 @@ void Define(CLI::App& app, CollectOptions& options) {
       ->check(Real(0, 0.25))
       ->capture_default_str();
   app.add_option("--foresight", options.foresight,
-                 "share of the actions that are tried out beforehand: one that fails then is drawn "
-                 "anew, so that more trials get far, and fail late")
+                 "share of the choices that are tried out beforehand, with what has to follow: one "
+                 "that fails then is drawn anew, so that more trials get far, and fail late")
       ->type_name("X")
       ->check(Real(0, 1))
       ->capture_default_str();

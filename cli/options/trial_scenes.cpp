@@ -17,7 +17,7 @@ void DefineTrialScenes(CLI::App& app, TrialSceneOptions& scenes) {
       ->capture_default_str();
   app.add_option("--tower", scenes.tower, "stacking: blocks in the tower")
       ->type_name("N")
-      ->transform(Whole(2, 4))
+      ->check(OneOf({"2", "3", "4", "mixed"}))
       ->capture_default_str();
   app.add_option("--scene-file", scenes.scene_file,
                  "stacking: a scene of one's own, like config/scenes/stacking.yaml")

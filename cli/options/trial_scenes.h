@@ -10,7 +10,7 @@ namespace prospect::cli {
 struct TrialSceneOptions {
   std::string objects = "4";  ///< navigation: objects on the site, 4 to 7, or mixed
   std::string legs = "3";     ///< navigation: objects to investigate in a row, 3 to 5, or mixed
-  int tower = 2;              ///< stacking: blocks in the tower, 2 to 4
+  std::string tower = "2";    ///< stacking: blocks in the tower, 2 to 4, or mixed
   std::string scene_file;     ///< stacking: a scene of one's own; empty: the built-in one
 };
 

@@ -27,6 +27,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kSceneStream = 0x6d69786564ULL;
+constexpr std::uint64_t kTowerStream = 0x746f776572ULL;
 constexpr char kMixed[] = "mixed";
 
 std::string PartsFolder(const cli::CollectOptions& options) { return options.out + ".parts"; }
@@ -154,7 +155,9 @@ sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_
   const bool plain = random.Uniform() < 0.5;
   const int any_objects = 4 + random.Below(4);
   sim::TaskOptions scene;
-  scene.tower = scenes.tower;
+  scene.tower = scenes.tower == kMixed
+                    ? 2 + base::Random(base::MixSeeds({seed, kTowerStream})).Below(3)
+                    : NumberOrRefuse("tower", scenes.tower);
   scene.scene_file = scenes.scene_file;
   scene.objects = scenes.objects != kMixed ? NumberOrRefuse("objects", scenes.objects)
                                            : (plain ? 4 : any_objects);

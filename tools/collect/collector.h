@@ -29,7 +29,7 @@ class CollectUsageError : public std::invalid_argument {
 
 // The scene parameters of trial `seed`. "mixed" objects: half of all trials have 4, the others 4 to
 // 7 at equal shares; "mixed" legs: 3 with 4 objects in the first half, else 3 to min(5, objects) at
-// equal shares.
+// equal shares. "mixed" towers: 2, 3 or 4 at equal shares.
 sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_t seed);
 
 // Records all trials, one file each in OUT.parts/, then packs them into OUT and removes the parts.

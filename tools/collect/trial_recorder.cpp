@@ -1,5 +1,6 @@
 #include "tools/collect/trial_recorder.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -26,31 +27,70 @@ float RewardOf(sim::Outcome outcome) {
 
 constexpr std::uint64_t kForesightStream = 0x666f726573696768ULL;
 
-// Whether an action goes well from here, tried with other noise. The task is left as it was.
-bool GoesWell(sim::Task& task, int action, std::uint64_t noise_seed) {
-  const std::unique_ptr<sim::TaskState> here = task.Save();
-  task.SetNoiseSeed(noise_seed);
-  sim::RunAction(task, action, nullptr);
-  const bool well = task.progress().outcome != sim::Outcome::kFailure;
-  task.Restore(*here);
-  return well;
+// What may come next and goes on with the plan: all but beginning anew.
+std::vector<int> Onward(const sim::Task& task) {
+  std::vector<int> onward = task.LegalActions();
+  const int last = task.progress().action;
+  std::erase_if(onward, [&](int next) { return task.spec().IsRetry(last, next); });
+  return onward;
 }
 
-// The next action: as RandomPlan draws it, or the first so drawn that goes well when tried, if any
-// does.
-int ChooseAhead(sim::Task& task, sim::RandomPlan* plan, base::Random* noise) {
-  std::vector<int> left = task.LegalActions();
-  while (!left.empty()) {
-    sim::RandomPlan drawn = *plan;
-    const int action = drawn.Choose(left);
-    if (GoesWell(task, action, noise->Next())) {
-      *plan = drawn;
-      return action;
+// Looks ahead where a trial has a choice.
+class Foresight {
+ public:
+  Foresight(sim::Task& task, std::uint64_t seed)
+      : task_(task),
+        builds_tower_(!sim::PlanRules(task.spec()).tower.empty()),
+        random_(base::MixSeeds({seed, kForesightStream})) {}
+
+  bool Looks(double share) { return share > 0 && random_.Uniform() < share; }
+
+  // The next action: as `plan` draws it, or the first so drawn that goes well when tried, if any
+  // does.
+  int Choose(sim::RandomPlan* plan) {
+    std::vector<int> left = task_.LegalActions();
+    while (Onward(task_).size() > 1 && !left.empty()) {
+      sim::RandomPlan drawn = *plan;
+      const int action = drawn.Choose(left);
+      if (GoesWell(action, drawn)) {
+        *plan = drawn;
+        return action;
+      }
+      std::erase(left, action);
     }
-    std::erase(left, action);
+    return plan->Choose(task_.LegalActions());
   }
-  return plan->Choose(task.LegalActions());
-}
+
+ private:
+  // Whether an action, and what has to follow it up to the next choice, goes well from here, tried
+  // with other noise. The task is left as it was.
+  bool GoesWell(int action, sim::RandomPlan plan) {
+    const std::unique_ptr<sim::TaskState> here = task_.Save();
+    const std::size_t facts = task_.Facts().size();
+    task_.SetNoiseSeed(random_.Next());
+    sim::RunAction(task_, action, nullptr);
+    while (Onward(task_).size() == 1) {
+      sim::RunAction(task_, plan.Choose(task_.LegalActions()), nullptr);
+    }
+    const bool well = task_.progress().outcome != sim::Outcome::kFailure &&
+                      task_.Facts().size() >= facts + (builds_tower_ && RoundIsOver() ? 1 : 0);
+    task_.Restore(*here);
+    return well;
+  }
+
+  // Whether what comes next is what a plan begins with: of a tower, another level.
+  bool RoundIsOver() const {
+    const std::vector<int>& first = task_.spec().successors.back();
+    const std::vector<int> next = Onward(task_);
+    return std::all_of(next.begin(), next.end(), [&](int action) {
+      return std::binary_search(first.begin(), first.end(), action);
+    });
+  }
+
+  sim::Task& task_;
+  bool builds_tower_;
+  base::Random random_;
+};
 
 }  // namespace
 
@@ -101,10 +141,9 @@ model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image
   TrialRecorder recorder(task, seed);
   recorder.OnFrame(task.Observe(), task.progress());
   sim::RandomPlan plan(sim::PlanRules(task.spec()), seed);
-  base::Random ahead(base::MixSeeds({seed, kForesightStream}));
+  Foresight ahead(task, seed);
   for (std::vector<int> legal = task.LegalActions(); !legal.empty(); legal = task.LegalActions()) {
-    const bool looks = foresight > 0 && ahead.Uniform() < foresight;
-    const int action = looks ? ChooseAhead(task, &plan, &ahead) : plan.Choose(legal);
+    const int action = ahead.Looks(foresight) ? ahead.Choose(&plan) : plan.Choose(legal);
     sim::RunAction(task, action, &recorder);
   }
   return recorder.Finish(image_noise);

@@ -29,7 +29,8 @@ class TrialRecorder : public sim::FrameSink {
 
 // Carries out trial `seed` of `task`: a random legal plan (sim/random_plan.h). The choice of
 // actions has a stream of its own, so it does not depend on the world's noise. `foresight`: share
-// of the actions that are tried out before, with other noise; the first that goes well is taken.
+// of the choices that are tried out before, with other noise and with what has to follow up to the
+// next choice; the first that goes well is taken (and, where a tower is built, builds it).
 // Of random plans of many actions few come far enough to fail late, or not at all.
 model::Trial RecordRandomTrial(sim::Task& task, std::uint64_t seed, double image_noise,
                                double foresight = 0);

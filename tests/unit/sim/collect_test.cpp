@@ -7,6 +7,7 @@
 
 #include "model/dataset.h"
 #include "tools/collect/collector.h"
+#include "tools/collect/scene_tasks.h"
 #include "tools/collect/trial_recorder.h"
 
 namespace prospect::tools {
@@ -135,6 +136,31 @@ TEST_F(CollectTest, MixedScenesCoverTheRangeAndHalfArePlain) {
   }
   EXPECT_NEAR(plain, 1000 + 2000 / 16, 80);
   EXPECT_EQ(seen.size(), 2u + 3 * 3);  // 4: 3 and 4 legs; 5, 6, 7: 3 to 5
+}
+
+TEST_F(CollectTest, MixedTowersAreOfTwoToFourBlocksAndEachTrialHasItsOwn) {
+  options_.scenes = {};
+  options_.scenes.tower = "mixed";
+  std::map<int, int> seen;
+  for (std::uint64_t seed = 0; seed < 600; ++seed)
+    ++seen[SceneOptions(options_.scenes, seed).tower];
+  ASSERT_EQ(seen.size(), 3u);
+  for (const auto& [tower, trials] : seen) EXPECT_NEAR(trials, 200, 50) << tower;
+  SceneTasks tasks("stacking");
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const sim::TaskOptions scene = SceneOptions(options_.scenes, seed);
+    EXPECT_EQ(tasks.Get(scene).spec().plan_length, 9 * (scene.tower - 1));
+  }
+}
+
+TEST_F(CollectTest, ForesightLooksAsFarAsTheNextChoice) {
+  const auto task = sim::MakeTask("stacking");
+  int blind = 0, ahead = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    blind += RecordRandomTrial(*task, seed, 0.01).succeeded();
+    ahead += RecordRandomTrial(*task, seed, 0.01, 1).succeeded();
+  }
+  EXPECT_GT(ahead, blind + 1) << "of 8 trials";
 }
 
 }  // namespace
