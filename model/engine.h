@@ -38,6 +38,9 @@ struct EngineInfo {
   int num_actions = 0;    ///< num_actions itself stands for "no action yet"
   int image_width = 0, image_height = 0;
   int hidden_size = 0;
+  /// Of the eight turns and mirrorings of a picture those that are looked at
+  /// (model/turning_engine.h). A state is as many, of equal size; the first is the picture's own.
+  int turns = 1;
   double refusal_threshold = 0;   ///< calibration: plans that score below it are to be refused
   CalibrationSample calibration;  ///< for thresholds of any promise; may be empty
   /// False: the weights hold no V, Q, p and f, so they predict pictures and nothing can be
@@ -112,16 +115,20 @@ class Engine {
   virtual std::vector<float> DoClassify(Pixels picture) = 0;
 };
 
-/// Loads a weights file (model/weights_file.h) for the CPU; rows are spread over `threads` threads
-/// (at least 1), each row on one. Throws WeightsError (model/weights_error.h) naming file and
-/// reason.
+/// Loads a weights file's networks (model/weights_file.h) for the CPU; rows are spread over
+/// `threads` threads (at least 1), each row on one. Throws WeightsError (model/weights_error.h)
+/// naming file and reason.
 std::unique_ptr<Engine> LoadEngine(const std::string& path, int threads);
 
 /// The same by libtorch, six times slower: the reference that LoadEngine's is tested against. Only
 /// in programs that link libtorch.
 std::unique_ptr<Engine> LoadTorchEngine(const std::string& path, int threads);
 
-/// LoadEngine for a search: weights that predict pictures only are a WeightsError, too.
+/// The networks as those who decide ask them: LoadEngine, looking at each picture in as many turns
+/// as the file says (model/turns.h).
+std::unique_ptr<Engine> LoadDecidingEngine(const std::string& path, int threads);
+
+/// LoadDecidingEngine for a search: weights that predict pictures only are a WeightsError, too.
 std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads);
 
 }  // namespace prospect::model

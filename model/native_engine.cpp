@@ -12,6 +12,8 @@
 #include "model/inference/networks.h"
 #include "model/inference/painting.h"
 #include "model/row_pool.h"
+#include "model/turning_engine.h"
+#include "model/turns.h"
 #include "model/weights_file.h"
 
 namespace prospect::model {
@@ -260,8 +262,15 @@ std::unique_ptr<Engine> LoadEngine(const std::string& path, int threads) {
   return LoadNativeEngine(path, threads, inference::BestKernels());
 }
 
-std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads) {
+std::unique_ptr<Engine> LoadDecidingEngine(const std::string& path, int threads) {
   std::unique_ptr<Engine> engine = LoadEngine(path, threads);
+  const int turns = TurnsOf(path);
+  if (turns == 1) return engine;
+  return std::make_unique<TurningEngine>(std::move(engine), turns);
+}
+
+std::unique_ptr<Engine> LoadSearchEngine(const std::string& path, int threads) {
+  std::unique_ptr<Engine> engine = LoadDecidingEngine(path, threads);
   if (!engine->info().judges) throw WeightsError(path + ": " + kPicturesOnly);
   return engine;
 }

@@ -145,10 +145,15 @@ NoveltySample CompareRedrawn(Pixels picture, const std::vector<std::uint8_t>& re
   return sample;
 }
 
+Hidden Unturned(const Hidden& state, const EngineInfo& info) {
+  return {state.begin(), state.begin() + info.hidden_size / info.turns};
+}
+
 NoveltySample TakeNoveltySample(Engine& engine, Pixels picture) {
+  const EngineInfo& info = engine.info();
   const Hidden state = engine.Encode(picture);
-  return CompareRedrawn(picture, engine.Decode({state}).at(0), engine.info().image_width,
-                        engine.info().image_height, state);
+  return CompareRedrawn(picture, engine.Decode({state}).at(0), info.image_width, info.image_height,
+                        Unturned(state, info));
 }
 
 NoveltyGauge::NoveltyGauge(const std::vector<NoveltySample>& fit,

@@ -32,6 +32,9 @@ struct NoveltySample {
 NoveltySample CompareRedrawn(Pixels picture, const std::vector<std::uint8_t>& redrawn, int width,
                              int height, Hidden state);
 
+/// Of a state as an engine gives it the part that tells of the picture as it is, not of its turns.
+Hidden Unturned(const Hidden& state, const EngineInfo& info);
+
 /// Encodes and redraws. Throws what the engine throws.
 NoveltySample TakeNoveltySample(Engine& engine, Pixels picture);
 

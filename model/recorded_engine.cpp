@@ -77,6 +77,7 @@ json HeadOf(const Engine& engine) {
           {"image_width", info.image_width},
           {"image_height", info.image_height},
           {"hidden_size", info.hidden_size},
+          {"turns", info.turns},
           {"refusal_threshold", info.refusal_threshold},
           {"weights_hash", engine.weights_hash()},
           {"fingerprint", engine.fingerprint()}};
@@ -91,6 +92,7 @@ EngineInfo InfoOf(const json& head) {
   info.image_width = head.at("image_width");
   info.image_height = head.at("image_height");
   info.hidden_size = head.at("hidden_size");
+  info.turns = head.value("turns", 1);
   info.refusal_threshold = head.at("refusal_threshold");
   return info;
 }

@@ -180,6 +180,11 @@ void Define(CLI::App& app, CalibrateOptions& options) {
                  "look like come from them");
   for (const char* name : {"--scenes", "--seed", "--goal"})
     app.get_option("--data")->excludes(app.get_option(name));
+  app.add_option("--turns", options.turns,
+                 "from now on these weights look at each picture in N of its eight turns and "
+                 "mirrorings and say the mean (default as many as they do)")
+      ->type_name("N")
+      ->transform(Whole(1, 8));
   DefineJobs(app, options.jobs);
   DefineReport(app, options.report);
 }

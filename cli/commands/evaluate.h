@@ -85,6 +85,7 @@ struct CalibrateOptions {
   PromiseOptions promise;  ///< nothing asked: refuse at most 0.05
   std::string data;        ///< recorded trials instead of scenes; empty: scenes
   bool all = false;        ///< of them all, as EvaluateDataOptions
+  int turns = 0;  ///< the weights then look at each picture in so many turns; 0: as they do
   int jobs = 2;
   ReportOptions report;
 };

@@ -49,7 +49,7 @@ EnginePtr Load(const EngineChoice& choice) {
   if (named.name == ScriptedTreeEngine::kTask) return std::make_unique<ScriptedTreeEngine>();
   try {
     if (named.name == "replay") return std::make_unique<model::ReplayEngine>(named.argument);
-    return model::LoadEngine(choice.weights, choice.threads);
+    return model::LoadDecidingEngine(choice.weights, choice.threads);
   } catch (const std::exception& error) {
     throw ExitError(kExitWeights, error.what());
   }

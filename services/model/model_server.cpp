@@ -286,7 +286,8 @@ void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
   reply->data = engine_.Decode({state}).at(0);
   if (!options_.novelty) return;
   reply->novelty.push_back(ToMessage(options_.novelty->Judge(model::CompareRedrawn(
-      active.present_picture, reply->data, info.image_width, info.image_height, state))));
+      active.present_picture, reply->data, info.image_width, info.image_height,
+      model::Unturned(state, info)))));
 }
 
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {

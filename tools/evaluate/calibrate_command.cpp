@@ -8,6 +8,7 @@
 #include "cli/report_file.h"
 #include "model/calibration.h"
 #include "model/refusal/promise.h"
+#include "model/turns.h"
 #include "planner/goal.h"
 #include "tools/common/recorded_report.h"
 #include "tools/common/words.h"
@@ -72,6 +73,7 @@ std::string CommandOf(const cli::CalibrateOptions& options, const ClosedLoop& lo
        << " --scenes " << options.scenes << " --seed " << options.seed << " --samples "
        << loop.search.samples << " --rule " << loop.search.rule << " --v-failed "
        << loop.search.v_failed;
+  if (options.turns > 0) text << " --turns " << options.turns;
   AddPromise(promise, &text);
   return text.str();
 }
@@ -83,6 +85,8 @@ std::string DataCommandOf(const cli::CalibrateOptions& options, const model::Pro
        << std::filesystem::path(options.task).filename().string() << " --data "
        << std::filesystem::path(options.data).filename().string();
   if (options.all) text << " --all-trials";
+  if (!options.search.rule.empty()) text << " --rule " << options.search.rule;
+  if (options.turns > 0) text << " --turns " << options.turns;
   AddPromise(promise, &text);
   return text.str();
 }
@@ -137,6 +141,7 @@ model::Promise PromiseFor(const cli::CalibrateOptions& options,
 int CalibrateByData(const cli::CalibrateOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
   const std::string rule = options.search.rule.empty() ? kRuleOfData : options.search.rule;
+  if (options.turns > 0) model::StoreTurns(weights, options.turns);
   const Recorded recorded = JudgeData(options.data, weights, rule, options.all);
   model::CalibrationSample sample = SampleOf(recorded.judged);
   sample.rule = rule;
@@ -165,6 +170,7 @@ int RunCalibrate(const cli::CalibrateOptions& options) {
   if (!options.data.empty()) return CalibrateByData(options);
   const ClosedLoop loop = LoopOf(options);
   CheckInputs(loop);
+  if (options.turns > 0) model::StoreTurns(loop.weights, options.turns);
   const SceneRuns runs = RunClosedLoops(loop);
   Tell(loop, runs);
   if (runs.extent.stopped()) {

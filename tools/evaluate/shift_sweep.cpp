@@ -72,7 +72,7 @@ std::vector<ShiftPoint> ShiftPoints(const std::vector<std::string>& factors) {
 
 ShiftSweep::ShiftSweep(const SweepOptions& options)
     : options_(options),
-      engine_(model::LoadEngine(options.weights, 1)),
+      engine_(model::LoadDecidingEngine(options.weights, 1)),
       gauge_(model::NoveltyGauge::Load(options.weights)),
       world_(sim::MakeTask(options.task, options.world)) {
   for (const ShiftPoint& point : options_.points)
