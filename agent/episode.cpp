@@ -24,10 +24,9 @@ planner::Path NamedWhatIf(const EpisodeOptions& options, const TaskView& task) {
   }
 }
 
-// A threshold holds for plans that were found as those it was taken from.
-void ChooseRule(const MindInfo& info, planner::SearchParameters* search) {
+void ChooseRule(const std::string& calibrated, planner::SearchParameters* search) {
   if (!search->rule.empty()) return;
-  search->UseRule(info.rule.empty() ? planner::SearchParameters().rule : info.rule);
+  search->UseRule(calibrated.empty() ? planner::SearchParameters().rule : calibrated);
 }
 
 }  // namespace
@@ -81,8 +80,8 @@ void Episode::LearnScene() {
   MindInfo info;
   if (!options_.plan) {
     info = mind_->Choose();
-    ChooseRule(info, &options_.search);
     refusals_.emplace(*mind_, info, options_, kind, listener_);
+    ChooseRule(refusals_->rule(), &options_.search);
     record_.not_covered = refusals_->not_covered();
   }
   record_.task = task.name;

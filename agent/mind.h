@@ -22,8 +22,7 @@ namespace prospect::agent {
 struct MindInfo {
   std::string engine;            ///< "native avx512", "scripted"
   std::string weights;           ///< hash, 16 hexadecimal digits; empty: there are none
-  double refusal_threshold = 0;  ///< the weights' own: plans that score less are to be refused
-  std::string rule = {};         ///< of the searches that it was calibrated with; empty: it was not
+  double refusal_threshold = 0;  ///< the weights' own where no calibration tells of kinds of scenes
 };
 
 /// What is to be searched.
@@ -70,9 +69,9 @@ class Mind {
   /// The networks that this episode will use; after World::Begin().
   virtual MindInfo Choose() = 0;
 
-  /// How plans of these weights fared on calibration scenes; null where nobody knows. With
-  /// `needed` it waits, and throws where there is none.
-  virtual const model::CalibrationSample* Calibration(bool needed) = 0;
+  /// How plans of these weights fared on calibration scenes, one sample for each kind of them; none
+  /// where nobody knows, which throws where it is `needed`.
+  virtual std::vector<model::CalibrationSample> Calibrations(bool needed) = 0;
 
   /// Finds a plan, or why there is none.
   virtual SearchAnswer Search(const SearchQuestion& question) = 0;

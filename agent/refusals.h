@@ -17,11 +17,15 @@ namespace prospect::agent {
 /// the calibration of the weights says, where there is one. One thread; the mind must outlive it.
 class Refusals {
  public:
-  /// Looks whether the calibration holds for such scenes at all, which is said in a warning where
-  /// it does not, and chooses the threshold for what is to be promised. Throws PromiseError, and
-  /// what Mind::Calibration throws.
+  /// Looks whether a calibration holds for such scenes at all, which is said in a warning where
+  /// none does, and chooses the threshold for what is to be promised. Throws PromiseError, and what
+  /// Mind::Calibrations throws.
   Refusals(Mind& mind, const MindInfo& info, const EpisodeOptions& options,
            const model::SceneKind& kind, Listener& listener);
+
+  /// By which searches were calibrated; empty: none were. A threshold holds for plans that were
+  /// found as those it was taken from.
+  const std::string& rule() const { return rule_; }
 
   /// Why the calibration says nothing of such scenes; empty: it does, or there is none.
   const std::string& not_covered() const { return not_covered_; }
@@ -41,10 +45,11 @@ class Refusals {
   std::optional<Confidence> ConfidenceIn(double score) const;
 
  private:
-  // Null where none was heard, or where it says nothing of this kind of scenes.
-  const model::CalibrationSample* Sample() const;
+  double OwnThreshold(const MindInfo& info) const;
 
-  Mind& mind_;
+  // Of this kind of scenes; none where nobody calibrated on them.
+  std::optional<model::CalibrationSample> sample_;
+  std::string rule_;
   int plan_length_;
   std::string not_covered_;
   model::PromisedThreshold promised_;

@@ -13,8 +13,9 @@ namespace prospect::messages {
 /// Limits that hold for every message. They are generous: they bound memory and keep nonsense out,
 /// and are no tuning.
 inline constexpr int kMaxActions = 255;  ///< rows of a task's table; an action travels as one byte
-inline constexpr int kMaxPathLength = 64;   ///< actions in a path
-inline constexpr int kMaxImageSide = 4096;  ///< pixels
+inline constexpr int kMaxPathLength = 64;    ///< actions in a path
+inline constexpr int kMaxImageSide = 4096;   ///< pixels
+inline constexpr int kMaxCalibrations = 64;  ///< kinds of scenes that weights were calibrated on
 inline constexpr int kMaxPathsPerRequest = 256;
 
 /// @return empty when the message is sound, else "value FIELD: what is wrong", short enough for a

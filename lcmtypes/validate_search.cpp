@@ -54,7 +54,8 @@ bool IsNovelty(const novelty_t& novelty) {
 
 std::string Validate(const calibration_t& message) {
   ValueCheck check;
-  check.That(AreFinite(message.parameter_values), "parameter_values: not finite")
+  check.That(IsProbability(message.refusal_threshold), "refusal_threshold: out of 0..1")
+      .That(AreFinite(message.parameter_values), "parameter_values: not finite")
       .That(AreAscendingProbabilities(message.scores), "scores: not ascending within 0..1")
       .That(AllWithin(message.classes, message.CLASS_SOLVABLE, message.CLASS_DOUBTFUL),
             "classes: unknown")
@@ -89,6 +90,7 @@ std::string Validate(const model_info_t& message) {
             "image: out of range")
       .That(IsBoolean(message.judges), "judges: neither 0 nor 1")
       .That(IsProbability(message.refusal_threshold), "refusal_threshold: out of 0..1")
+      .That(InRange(message.calibrations, 0, kMaxCalibrations), "calibrations: out of range")
       .That(IsCount(message.queue), "queue: negative")
       .That(std::isfinite(message.queue_age_ms) && std::isfinite(message.batch_ms),
             "batch_ms: not finite")

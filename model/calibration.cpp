@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "model/refusal/scene_kind.h"
 #include "model/weights_file.h"
 
 namespace prospect::model {
@@ -74,6 +75,58 @@ Calibration From(const json& stored) {
   calibration.scenes = stored.value("scenes", 0);
   calibration.command = stored.value("command", std::string());
   if (stored.contains("sample")) calibration.sample = SampleFrom(stored.at("sample"));
+  calibration.sample.refusal_threshold = calibration.refusal_threshold;
+  return calibration;
+}
+
+// Of a calibration that holds for networks whose tensors have this hash.
+CalibrationSample SampleOrNone(const json& stored, const std::string& tensors) {
+  try {
+    if (stored.value("tensors", "") == tensors) return From(stored).sample;
+  } catch (const std::exception&) {
+    // Damaged: nothing of it is worth keeping.
+  }
+  return {};
+}
+
+// As it is stored with networks whose tensors have this hash.
+json ToJson(const Calibration& calibration, std::uint64_t tensors) {
+  json stored = {{"refusal_threshold", calibration.refusal_threshold},
+                 {"scenes", calibration.scenes},
+                 {"command", calibration.command}};
+  if (calibration.alpha) stored["alpha"] = *calibration.alpha;
+  if (calibration.epsilon) stored["epsilon"] = *calibration.epsilon;
+  if (calibration.epsilon) stored["delta"] = calibration.delta;
+  if (!calibration.sample.empty()) {
+    stored["sample"] = ToJson(calibration.sample);
+    stored["tensors"] = base::HexText(tensors);
+  }
+  return stored;
+}
+
+// One for each kind of scenes: a list, or the only one itself.
+json ListIn(const json& metadata) {
+  if (!metadata.contains("calibration")) return json::array();
+  const json& stored = metadata.at("calibration");
+  if (stored.is_array()) return stored;
+  return stored.empty() ? json::array() : json::array({stored});
+}
+
+// Throws WeightsError.
+Calibration Checked(const json& stored, const std::string& tensors, const std::string& path) {
+  Calibration calibration;
+  std::string made_for;
+  try {
+    calibration = From(stored);
+    made_for = stored.value("tensors", made_for);
+  } catch (const std::exception& error) {
+    throw WeightsError(path + ": its calibration is damaged (" + error.what() + ")");
+  }
+  if (!made_for.empty() && made_for != tensors) {
+    throw WeightsError(path +
+                       ": its calibration was made for other weights, so no promise of it holds: "
+                       "make one with ./prospect evaluate calibrate");
+  }
   return calibration;
 }
 
@@ -99,40 +152,41 @@ std::uint64_t TensorsHash(const WeightsFile& file) {
 
 void StoreCalibration(const std::string& weights_path, const Calibration& calibration) {
   WeightsFile file = ReadWeights(weights_path);
-  json stored = {{"refusal_threshold", calibration.refusal_threshold},
-                 {"scenes", calibration.scenes},
-                 {"command", calibration.command}};
-  if (calibration.alpha) stored["alpha"] = *calibration.alpha;
-  if (calibration.epsilon) stored["epsilon"] = *calibration.epsilon;
-  if (calibration.epsilon) stored["delta"] = calibration.delta;
-  if (!calibration.sample.empty()) {
-    stored["sample"] = ToJson(calibration.sample);
-    stored["tensors"] = base::HexText(TensorsHash(file));
+  const std::uint64_t tensors = TensorsHash(file);
+  const json fresh = ToJson(calibration, tensors);
+  json kept = json::array();
+  bool stored = false;
+  for (const json& earlier : ListIn(file.metadata)) {
+    const CalibrationSample sample = SampleOrNone(earlier, base::HexText(tensors));
+    if (sample.empty()) continue;
+    const bool same = KindOf(sample) == KindOf(calibration.sample);
+    if (!same || !stored) kept.push_back(same ? fresh : earlier);
+    stored = stored || same;
   }
-  file.metadata["calibration"] = stored;
+  if (!stored) kept.push_back(fresh);
+  file.metadata["calibration"] = kept.size() == 1 ? kept.front() : kept;
   WriteWeights(weights_path, file.tensors, file.metadata);
 }
 
-Calibration CalibrationOf(const WeightsFile& file, const std::string& path) {
-  Calibration calibration;
-  std::string made_for;
-  try {
-    const json stored = file.metadata.value("calibration", json::object());
-    calibration = From(stored);
-    made_for = stored.value("tensors", made_for);
-  } catch (const std::exception& error) {
-    throw WeightsError(path + ": its calibration is damaged (" + error.what() + ")");
-  }
-  if (!made_for.empty() && made_for != base::HexText(TensorsHash(file))) {
-    throw WeightsError(path +
-                       ": its calibration was made for other weights, so no promise of it holds: "
-                       "make one with ./prospect evaluate calibrate");
-  }
-  return calibration;
+std::vector<Calibration> CalibrationsOf(const WeightsFile& file, const std::string& path) {
+  std::vector<Calibration> calibrations;
+  const json list = ListIn(file.metadata);
+  if (list.empty()) return calibrations;
+  const std::string tensors = base::HexText(TensorsHash(file));
+  for (const json& stored : list) calibrations.push_back(Checked(stored, tensors, path));
+  return calibrations;
 }
 
-Calibration CalibrationOf(const std::string& path) {
-  return CalibrationOf(ReadWeights(path), path);
+std::vector<Calibration> CalibrationsOf(const std::string& path) {
+  return CalibrationsOf(ReadWeights(path), path);
+}
+
+std::vector<CalibrationSample> SamplesOf(const std::vector<Calibration>& calibrations) {
+  std::vector<CalibrationSample> samples;
+  for (const Calibration& calibration : calibrations) {
+    if (!calibration.sample.empty()) samples.push_back(calibration.sample);
+  }
+  return samples;
 }
 
 }  // namespace prospect::model

@@ -41,8 +41,10 @@ struct EngineInfo {
   /// Of the eight turns and mirrorings of a picture those that are looked at
   /// (model/turning_engine.h). A state is as many, of equal size; the first is the picture's own.
   int turns = 1;
-  double refusal_threshold = 0;   ///< calibration: plans that score below it are to be refused
-  CalibrationSample calibration;  ///< for thresholds of any promise; may be empty
+  double refusal_threshold =
+      0;  ///< of the first calibration, or training's own where there is none
+  /// One for each kind of scenes that was calibrated on, with a threshold of its own; may be none.
+  std::vector<CalibrationSample> calibrations;
   /// False: the weights hold no V, Q, p and f, so they predict pictures and nothing can be
   /// searched. Evaluate and Expand then answer 0 for all four.
   bool judges = true;

@@ -9,7 +9,7 @@ namespace prospect::model {
 
 EngineInfo InfoOf(const WeightsFile& file, const std::string& path, const NetworkConfig& config,
                   const std::string& engine, bool judges) {
-  const Calibration calibration = CalibrationOf(file, path);
+  const std::vector<Calibration> calibrations = CalibrationsOf(file, path);
   EngineInfo info;
   info.judges = judges;
   info.engine = engine;
@@ -19,8 +19,8 @@ EngineInfo InfoOf(const WeightsFile& file, const std::string& path, const Networ
   info.image_width = config.image_width;
   info.image_height = config.image_height;
   info.hidden_size = config.hidden_size();
-  info.refusal_threshold = calibration.refusal_threshold;
-  info.calibration = calibration.sample;
+  if (!calibrations.empty()) info.refusal_threshold = calibrations.front().refusal_threshold;
+  info.calibrations = SamplesOf(calibrations);
   return info;
 }
 

@@ -42,7 +42,7 @@ ScriptedEngine::ScriptedEngine(const ScriptedOptions& options) : options_(option
   info_.image_height = options.image_height;
   info_.hidden_size = kHiddenSize;
   info_.refusal_threshold = options.refusal_threshold;
-  info_.calibration = options.calibration;
+  info_.calibrations = options.calibrations;
 }
 
 Hidden ScriptedEngine::DoEncode(Pixels) { return Pack(base::Mix64(kRootState ^ options_.seed)); }

@@ -13,7 +13,7 @@ struct ScriptedOptions {
   std::uint64_t seed = 1;       ///< which tree
   int image_width = 64, image_height = 64;
   double refusal_threshold = 0.0;
-  CalibrationSample calibration{};  ///< as if it had come with weights
+  std::vector<CalibrationSample> calibrations{};  ///< as if they had come with weights
 };
 
 /// An engine without networks, for tests of everything around them: a hidden state is a hash of the

@@ -33,6 +33,7 @@ struct CalibrationScene {
 /// acted on. Later searches of an episode are held to the same threshold, which may stop it, or
 /// have a lost plan begun anew, where the sample went on.
 struct CalibrationSample {
+  double refusal_threshold = 0;  ///< the weights' own for such scenes: what scores less is refused
   std::vector<CalibrationScene> scenes;  ///< scores ascending
   std::string rule;                      ///< of the searches
   /// Of the searches and their task, by name: samples, v_failed, c_done, p_min, plan_length. A

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/refusal/sample.h"
 
@@ -12,11 +13,21 @@ struct SceneKind {
   int plan_length = 0;  ///< actions in a complete plan; 0: not known
   int objects = 0;      ///< different things that actions are about; 0: not known
   int tower = 0;        ///< levels of the tower that a plan builds; 0: it builds none
+
+  bool operator==(const SceneKind&) const = default;
 };
 
-/// Why nothing that `sample` says holds for scenes of this kind, in two sentences for a person:
-/// what the weights were calibrated on, and by what plans are refused then. Empty where it does
-/// hold, and for a sample that is empty or does not say what its scenes were.
-std::string NotCovered(const CalibrationSample& sample, const SceneKind& kind);
+/// The kind of the sample's scenes, without the tower: plans and objects say it.
+SceneKind KindOf(const CalibrationSample& sample);
+
+/// Of the samples, one for each kind of scenes that the weights were calibrated on, the one for
+/// this kind; null where there is none. A sample that does not say what its scenes were holds for
+/// all.
+const CalibrationSample* CoveringSample(const std::vector<CalibrationSample>& samples,
+                                        const SceneKind& kind);
+
+/// Why nothing that `samples` say holds for scenes of this kind, in a sentence for a person: what
+/// the weights were calibrated on. Empty where one does hold, and where there are none.
+std::string NotCovered(const std::vector<CalibrationSample>& samples, const SceneKind& kind);
 
 }  // namespace prospect::model

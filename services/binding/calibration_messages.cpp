@@ -3,6 +3,7 @@
 namespace prospect::services {
 
 void SetSample(const model::CalibrationSample& sample, calibration_t* message) {
+  message->refusal_threshold = sample.refusal_threshold;
   message->rule = sample.rule;
   message->parameter_names.clear();
   message->parameter_values.clear();
@@ -24,6 +25,7 @@ void SetSample(const model::CalibrationSample& sample, calibration_t* message) {
 
 model::CalibrationSample SampleFrom(const calibration_t& message) {
   model::CalibrationSample sample;
+  sample.refusal_threshold = message.refusal_threshold;
   sample.rule = message.rule;
   for (std::size_t i = 0; i < message.parameter_names.size(); ++i)
     sample.parameters[message.parameter_names[i]] = message.parameter_values[i];

@@ -11,11 +11,11 @@ BusMind::BusMind(Conversation& talk, const ExecutiveOptions& options)
 
 agent::MindInfo BusMind::Choose() {
   model_ = ChooseModel(talk_, options_);
-  return {model_.engine, base::HexText(model_.weights_hash), model_.refusal_threshold, model_.rule};
+  return {model_.engine, base::HexText(model_.weights_hash), model_.refusal_threshold};
 }
 
-const model::CalibrationSample* BusMind::Calibration(bool needed) {
-  return needed ? &AwaitCalibration(talk_, model_) : talk_.view().calibration(model_.weights_hash);
+std::vector<model::CalibrationSample> BusMind::Calibrations(bool needed) {
+  return AwaitCalibrations(talk_, model_, needed);
 }
 
 // A picture is named by episode and frame: the same name is the same picture in every search of the

@@ -19,7 +19,7 @@ class BusMind : public agent::Mind {
   BusMind(Conversation& talk, const ExecutiveOptions& options);
 
   agent::MindInfo Choose() override;
-  const model::CalibrationSample* Calibration(bool needed) override;
+  std::vector<model::CalibrationSample> Calibrations(bool needed) override;
   agent::SearchAnswer Search(const agent::SearchQuestion& question) override;
   std::map<planner::Path, planner::Evaluation> Judge(
       const std::vector<planner::Path>& paths) override;

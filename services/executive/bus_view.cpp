@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lcmtypes/validate.h"
+#include "model/refusal/scene_kind.h"
 #include "services/binding/calibration_messages.h"
 #include "services/binding/task_messages.h"
 #include "services/common/clock.h"
@@ -32,9 +34,8 @@ BusView::BusView(Bus& bus) : bus_(bus) {
   }));
   subscriptions_.push_back(bus.Subscribe<model_info_t>(
       [this](const model_info_t& info) { servers_.Hear(info, SteadyMs()); }));
-  subscriptions_.push_back(bus.Subscribe<calibration_t>([this](const calibration_t& calibration) {
-    calibrations_[calibration.weights_hash] = SampleFrom(calibration);
-  }));
+  subscriptions_.push_back(bus.Subscribe<calibration_t>(
+      [this](const calibration_t& calibration) { OnCalibration(calibration); }));
   subscriptions_.push_back(bus.Subscribe<observation_t>(
       [this](const observation_t& observation) { OnObservation(observation); }));
   subscriptions_.push_back(
@@ -43,9 +44,22 @@ BusView::BusView(Bus& bus) : bus_(bus) {
       bus.Subscribe<label_t>([this](const label_t& label) { OnLabel(label); }));
 }
 
-const model::CalibrationSample* BusView::calibration(std::int64_t weights_hash) const {
+std::vector<model::CalibrationSample> BusView::calibrations(std::int64_t weights_hash) const {
   const auto found = calibrations_.find(weights_hash);
-  return found == calibrations_.end() ? nullptr : &found->second;
+  return found == calibrations_.end() ? std::vector<model::CalibrationSample>() : found->second;
+}
+
+void BusView::OnCalibration(const calibration_t& calibration) {
+  const model::CalibrationSample sample = SampleFrom(calibration);
+  auto& known = calibrations_[calibration.weights_hash];
+  const auto same = std::find_if(known.begin(), known.end(), [&](const auto& other) {
+    return model::KindOf(other) == model::KindOf(sample);
+  });
+  if (same != known.end()) {
+    *same = sample;
+  } else if (known.size() < messages::kMaxCalibrations) {
+    known.push_back(sample);
+  }
 }
 
 void BusView::FollowSeed(std::int64_t seed) {

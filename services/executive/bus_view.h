@@ -51,8 +51,8 @@ class BusView {
   /// heard to tell.
   bool LabelsExpected() const { return labels_heard_ || pictures_heard_ < 2; }
   const ServerList& servers() const { return servers_; }
-  /// The calibration that came with these weights; null when none was heard.
-  const model::CalibrationSample* calibration(std::int64_t weights_hash) const;
+  /// The calibrations of these weights that were heard, one for each kind of scenes.
+  std::vector<model::CalibrationSample> calibrations(std::int64_t weights_hash) const;
   /// Every picture of the episode heard so far, by frame number.
   const std::map<std::int64_t, agent::Picture>& frames() const { return frames_; }
   /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says
@@ -61,13 +61,15 @@ class BusView {
 
  private:
   void OnObservation(const observation_t& observation);
+  void OnCalibration(const calibration_t& calibration);
   void OnStatus(const action_status_t& status);
   void OnLabel(const label_t& label);
 
   Bus& bus_;
 
   ServerList servers_;
-  std::map<std::int64_t, model::CalibrationSample> calibrations_;  // by weights hash
+  // By weights hash.
+  std::map<std::int64_t, std::vector<model::CalibrationSample>> calibrations_;
   std::optional<task_t> task_;
   std::int64_t task_hash_ = 0;
   std::int64_t episode_id_ = -1;

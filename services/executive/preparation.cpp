@@ -184,13 +184,22 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
                                     "'; " + remedy);
 }
 
-const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model) {
-  const auto heard = [&] { return talk.view().calibration(model.weights_hash) != nullptr; };
-  if (talk.Until(heard, kCalibrationTimeoutMs)) return *talk.view().calibration(model.weights_hash);
-  throw ExitError(kExitWeights,
-                  "weights " + base::HexText(model.weights_hash) +
-                      " carry no calibration sample, so nothing can be promised: make one with " +
-                      cli::Typed("evaluate calibrate"));
+std::vector<model::CalibrationSample> AwaitCalibrations(Conversation& talk,
+                                                        const model_info_t& model, bool needed) {
+  const auto heard = [&] { return talk.view().calibrations(model.weights_hash); };
+  const auto wanted = static_cast<std::size_t>(std::max(model.calibrations, needed ? 1 : 0));
+  if (talk.Until([&] { return heard().size() >= wanted; }, kCalibrationTimeoutMs)) return heard();
+  const std::string weights = "weights " + base::HexText(model.weights_hash);
+  if (model.calibrations > 0) {
+    throw ExitError(kExitWeights, weights + " were calibrated on " +
+                                      std::to_string(model.calibrations) +
+                                      " kinds of scenes, and CALIBRATION told of " +
+                                      std::to_string(heard().size()) + " within 5 s");
+  }
+  throw ExitError(kExitWeights, weights +
+                                    " carry no calibration sample, so nothing can be promised: "
+                                    "make one with " +
+                                    cli::Typed("evaluate calibrate"));
 }
 
 observation_t Look(Conversation& talk, std::int64_t frame) {

@@ -29,9 +29,10 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options);
 /// Throws kExitUsage where another world is up than a person asked for.
 void RequireWorld(Conversation& talk, const ExecutiveOptions& options);
 
-/// The calibration of this model's weights. Throws kExitWeights when its servers say none within
-/// 5 s: the weights carry none.
-const model::CalibrationSample& AwaitCalibration(Conversation& talk, const model_info_t& model);
+/// The calibrations of this model's weights, as many as MODEL_INFO speaks of, and at least one
+/// where `needed`. Throws kExitWeights when its servers do not say them within 5 s.
+std::vector<model::CalibrationSample> AwaitCalibrations(Conversation& talk,
+                                                        const model_info_t& model, bool needed);
 
 /// Waits for the picture that shows the world after frame `frame` was taken. Throws kExitTimeout
 /// when none comes within 5 s.

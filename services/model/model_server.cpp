@@ -285,9 +285,9 @@ void ModelServer::AddRoot(const Active& active, const model::Hidden& state,
   const auto& info = engine_.info();
   reply->data = engine_.Decode({state}).at(0);
   if (!options_.novelty) return;
-  reply->novelty.push_back(ToMessage(options_.novelty->Judge(model::CompareRedrawn(
-      active.present_picture, reply->data, info.image_width, info.image_height,
-      model::Unturned(state, info)))));
+  reply->novelty.push_back(ToMessage(options_.novelty->Judge(
+      model::CompareRedrawn(active.present_picture, reply->data, info.image_width,
+                            info.image_height, model::Unturned(state, info)))));
 }
 
 predict_reply_t ModelServer::Predict(const predict_request_t& request, Active* active) {
@@ -361,7 +361,7 @@ void ModelServer::PublishInfo(const Active* active) {
   info.image_height = engine.image_height;
   info.judges = engine.judges ? 1 : 0;
   info.refusal_threshold = engine.refusal_threshold;
-  info.rule = engine.calibration.rule;
+  info.calibrations = static_cast<std::int32_t>(engine.calibrations.size());
   info.search_id = active ? active->root.search_id : 0;
   info.epoch = active ? active->root.epoch : 0;
   info.queue = static_cast<std::int32_t>(queue_.paths());
@@ -369,17 +369,18 @@ void ModelServer::PublishInfo(const Active* active) {
   bus_.Publish(info);
 }
 
-// Before MODEL_INFO: whoever has heard that of a server need not wait for this.
-void ModelServer::PublishCalibration() {
+// Before MODEL_INFO: whoever has heard that of a server need not wait for these.
+void ModelServer::PublishCalibrations() {
   const auto& engine = engine_.info();
-  if (engine.calibration.empty()) return;
-  calibration_t calibration{};
-  calibration.utime = UtimeNow();
-  calibration.server_id = health_.instance_id();
-  calibration.weights_hash = static_cast<std::int64_t>(engine_.weights_hash());
-  calibration.task = engine.task;
-  SetSample(engine.calibration, &calibration);
-  bus_.Publish(calibration);
+  for (const model::CalibrationSample& sample : engine.calibrations) {
+    calibration_t calibration{};
+    calibration.utime = UtimeNow();
+    calibration.server_id = health_.instance_id();
+    calibration.weights_hash = static_cast<std::int64_t>(engine_.weights_hash());
+    calibration.task = engine.task;
+    SetSample(sample, &calibration);
+    bus_.Publish(calibration);
+  }
 }
 
 // How long the batch at hand waits for clients that are due back; 0 when it is full.
@@ -400,7 +401,7 @@ void ModelServer::Turn() {
   if (!queue_.empty()) RunBatch();
   if (queue_.empty()) RunPrediction();
   if (info_due_.Due(SteadyMs())) {
-    PublishCalibration();
+    PublishCalibrations();
     PublishInfo();
   }
   health_.SetQueue(static_cast<std::int32_t>(queue_.paths()));

@@ -87,7 +87,7 @@ class ModelServer {
   void AddRoot(const Active& active, const model::Hidden& state, predict_reply_t* reply);
   void PublishInfo();
   void PublishInfo(const Active* active);
-  void PublishCalibration();
+  void PublishCalibrations();
   int RetryMs() const;
 
   Bus& bus_;

@@ -130,8 +130,13 @@ model::Calibration CalibrationFrom(const model::CalibrationSample& sample,
 
 std::string HeedCoverage(const std::string& weights, const model::SceneKind& kind,
                          double* threshold) {
-  const std::string words = model::NotCovered(model::CalibrationOf(weights).sample, kind);
-  if (words.empty()) return words;
+  const auto samples = model::SamplesOf(model::CalibrationsOf(weights));
+  const std::string words = model::NotCovered(samples, kind);
+  if (words.empty()) {
+    const model::CalibrationSample* covering = model::CoveringSample(samples, kind);
+    if (*threshold < 0 && covering != nullptr) *threshold = covering->refusal_threshold;
+    return words;
+  }
   std::cerr << words << "\n";
   if (*threshold >= 0) return words;
   std::cerr << "Their own refusal threshold does not hold either: here nothing is refused for its "
@@ -142,14 +147,15 @@ std::string HeedCoverage(const std::string& weights, const model::SceneKind& kin
 
 double PromisedThresholdOf(const std::string& weights, const model::Promise& promise,
                            const model::SceneKind& kind) {
-  const model::CalibrationSample sample = model::CalibrationOf(weights).sample;
-  if (sample.empty()) {
+  const auto samples = model::SamplesOf(model::CalibrationsOf(weights));
+  if (samples.empty()) {
     throw PromiseError(weights +
                        ": carries no calibration sample to choose a threshold by: make one with "
                        "./prospect evaluate calibrate");
   }
-  const std::string not_covered = model::NotCovered(sample, kind);
+  const std::string not_covered = model::NotCovered(samples, kind);
   if (!not_covered.empty()) throw PromiseError("nothing can be promised: " + not_covered);
+  const model::CalibrationSample& sample = *model::CoveringSample(samples, kind);
   const model::PromisedThreshold promised = model::ThresholdFor(sample, promise);
   Tell(promised.words);
   if (!promised.kept) Words() << model::CurveTable(sample);

@@ -72,7 +72,7 @@ void Ask(const cli::SearchOptions& search, const std::string& goal, ClosedLoop* 
   loop->search.samples = search.samples;
   loop->search.workers = search.workers;
   loop->search.depth = search.depth;
-  loop->search.UseRule(search.rule.empty() ? RuleOf(loop->weights) : search.rule);
+  loop->search.UseRule(search.rule.empty() ? RuleOf(loop->weights, KindAsked(*loop)) : search.rule);
   if (search.v_failed) loop->search.v_failed = *search.v_failed;
   loop->retries = search.retries;
   loop->surprise = search.surprise.value_or(model::kSurprising);

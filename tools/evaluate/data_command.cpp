@@ -32,7 +32,7 @@ std::vector<PlanRank> RanksOf(const cli::EvaluateDataOptions& options, const Rec
 
 int RunData(const cli::EvaluateDataOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
-  const Recorded recorded = JudgeData(options.data, weights, RuleOf(weights), options.all);
+  const Recorded recorded = JudgeData(options.data, weights, RuleOf(weights, {}), options.all);
   nlohmann::json report = ReportOf(recorded.judged, ActionNames(options.task),
                                    model::NoveltyGauge::Load(recorded.weights));
   report["task"] = cli::TaskOf(options.task).spec.name;

@@ -28,7 +28,7 @@ class LocalMind : public agent::Mind {
   void Recognise(model::Engine* engine, const model::NoveltyGauge& gauge);
 
   agent::MindInfo Choose() override { return {}; }
-  const model::CalibrationSample* Calibration(bool) override { return nullptr; }
+  std::vector<model::CalibrationSample> Calibrations(bool) override { return {}; }
   agent::SearchAnswer Search(const agent::SearchQuestion& question) final;
   std::map<planner::Path, planner::Evaluation> Judge(const std::vector<planner::Path>&) override {
     return {};

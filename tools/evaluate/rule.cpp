@@ -6,10 +6,12 @@
 
 namespace prospect::tools {
 
-std::string RuleOf(const std::string& weights) {
+std::string RuleOf(const std::string& weights, const model::SceneKind& kind) {
   std::string rule;
   try {
-    rule = model::CalibrationOf(weights).sample.rule;
+    const auto samples = model::SamplesOf(model::CalibrationsOf(weights));
+    const model::CalibrationSample* covering = model::CoveringSample(samples, kind);
+    if (!samples.empty()) rule = covering != nullptr ? covering->rule : samples.front().rule;
   } catch (const model::WeightsError&) {
     // Whoever loads them says what is wrong.
   }

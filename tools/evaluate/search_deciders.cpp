@@ -20,7 +20,7 @@ class EngineMind : public LocalMind {
 
   agent::MindInfo Choose() override {
     const model::EngineInfo& info = engine_->info();
-    return {info.engine, "", info.refusal_threshold, info.calibration.rule};
+    return {info.engine, "", info.refusal_threshold};
   }
 
   std::map<planner::Path, planner::Evaluation> Judge(

@@ -42,12 +42,17 @@ json KeyOf(const Sweep& o) {
           {"threshold", sweep.search.refusal_threshold}};
 }
 
-double ThresholdOf(const cli::EvaluateShiftsOptions& options, const SweepOptions& sweep) {
-  const auto task = sim::MakeTask(sweep.task, sweep.world);  // refuses what is out of range
+// Refuses what is out of range.
+model::SceneKind KindAsked(const cli::EvaluateShiftsOptions& options, const SweepOptions& sweep) {
+  const auto task = sim::MakeTask(sweep.task, sweep.world);
   task->Reset(options.seed);
+  return KindOf(*task);
+}
+
+double ThresholdOf(const cli::EvaluateShiftsOptions& options, const SweepOptions& sweep) {
   RequireWeightsOf(sweep.task, sweep.weights);
   double threshold = options.threshold;
-  HeedCoverage(sweep.weights, KindOf(*task), &threshold);
+  HeedCoverage(sweep.weights, KindAsked(options, sweep), &threshold);
   if (threshold >= 0) return threshold;
   return model::LoadEngine(sweep.weights, 1)->info().refusal_threshold;
 }
@@ -58,7 +63,7 @@ Sweep SweepOf(const cli::EvaluateShiftsOptions& options) {
   sweep.sweep.weights = cli::WeightsFile(options.weights, options.task);
   sweep.sweep.world = WorldOf(options.scene);
   sweep.sweep.search.samples = options.samples;
-  sweep.sweep.search.UseRule(RuleOf(sweep.sweep.weights));
+  sweep.sweep.search.UseRule(RuleOf(sweep.sweep.weights, KindAsked(options, sweep.sweep)));
   sweep.sweep.novelty_level = options.novelty;
   sweep.sweep.points = ShiftPoints(options.factors);
   sweep.sweep.search.refusal_threshold = ThresholdOf(options, sweep.sweep);

@@ -27,7 +27,7 @@ planner::SearchParameters SearchOf(const cli::FiguresOptions& options, const Stu
   parameters.seed = options.seed;
   const model::EngineInfo& info = studio.own.engine->info();
   parameters.refusal_threshold = info.refusal_threshold;
-  if (!info.calibration.rule.empty()) parameters.UseRule(info.calibration.rule);
+  if (!info.calibrations.empty()) parameters.UseRule(info.calibrations.front().rule);
   return parameters;
 }
 

@@ -7,6 +7,7 @@
 #include "cli/report_file.h"
 #include "model/calibration.h"
 #include "model/dataset.h"
+#include "model/refusal/scene_kind.h"
 #include "model/weights_file.h"
 #include "report/refusal_plot.h"
 #include "tools/common/extent.h"
@@ -25,13 +26,25 @@ struct Named {
   model::CalibrationSample sample;
 };
 
-Named FromWeights(const std::string& path) {
+// One for each kind of scenes that they were calibrated on.
+std::vector<Named> FromWeights(const std::string& path) {
   const model::WeightsFile file = model::ReadWeights(path);
-  Named named{file.metadata.value("task", path), model::CalibrationOf(file, path).sample};
-  if (!named.sample.empty()) return named;
+  const std::string task = file.metadata.value("task", path);
+  std::vector<Named> all;
+  for (const auto& sample : model::SamplesOf(model::CalibrationsOf(file, path))) {
+    const model::SceneKind kind = model::KindOf(sample);
+    const std::string name = task + ", plans of " + std::to_string(kind.plan_length) +
+                             " actions among " + std::to_string(kind.objects) + " objects";
+    all.push_back({all.empty() ? task : name, sample});
+  }
+  if (!all.empty()) return all;
   throw model::WeightsError(path +
                             ": carries no calibration sample: ./prospect evaluate calibrate "
                             "makes one");
+}
+
+void Add(std::vector<Named> more, std::vector<Named>* samples) {
+  samples->insert(samples->end(), more.begin(), more.end());
 }
 
 Named FromReport(const std::string& path) try {
@@ -61,11 +74,11 @@ double Of(const std::vector<double>& targets, std::size_t i, std::size_t files) 
 std::vector<Named> SamplesOf(const cli::RefusalsOptions& options) {
   std::vector<Named> samples;
   for (const std::string& path : options.reports) samples.push_back(FromReport(path));
-  for (const std::string& path : options.weights) samples.push_back(FromWeights(path));
+  for (const std::string& path : options.weights) Add(FromWeights(path), &samples);
   if (!samples.empty()) return samples;
   std::vector<std::string> tasks = options.tasks;
   if (tasks.empty()) tasks = cli::TaskNames(cli::Tasks::kPlanned);
-  for (const std::string& task : tasks) samples.push_back(FromWeights(cli::WeightsFile("", task)));
+  for (const std::string& task : tasks) Add(FromWeights(cli::WeightsFile("", task)), &samples);
   return samples;
 }
 

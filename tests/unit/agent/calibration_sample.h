@@ -20,4 +20,11 @@ inline model::CalibrationSample Sample() {
   return sample;
 }
 
+// The same of scenes with plans of so many actions.
+inline model::CalibrationSample Of(int plan_length) {
+  model::CalibrationSample sample = Sample();
+  sample.parameters["plan_length"] = plan_length;
+  return sample;
+}
+
 }  // namespace prospect::agent

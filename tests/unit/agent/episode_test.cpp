@@ -61,7 +61,9 @@ TEST_F(EpisodeTest, SearchesByTheRuleOfTheCalibrationUnlessAskedForAnother) {
   const auto rule_of_search = [this](const std::string& asked, const std::string& calibrated) {
     options_.search = planner::SearchParameters();
     options_.search.rule = asked;
-    mind_.rule = calibrated;
+    mind_.calibrations.clear();
+    if (!calibrated.empty()) mind_.calibrations = {Sample(), Of(9)};
+    if (!calibrated.empty()) mind_.calibrations.front().rule = calibrated;
     mind_.questions.clear();
     Run();
     return mind_.questions.at(0).parameters;
@@ -79,7 +81,7 @@ TEST_F(EpisodeTest, IsSolvedWhenTheWorldSaysSo) {
   EXPECT_EQ(record.reason, "");
   EXPECT_EQ(world_.carried_out, (std::vector<int>{2, 0, 1}));
   EXPECT_EQ(script_.Text(),
-            "await begin choose calibration search calibration calibration carry_out(2) look "
+            "await begin choose calibration search carry_out(2) look "
             "search carry_out(0) look search carry_out(1) look");
   EXPECT_EQ(told_.lines,
             (std::vector<std::string>{"1/3 visit(rock): succeeded", "2/3 visit(barrel): succeeded",
@@ -216,7 +218,7 @@ TEST_F(EpisodeTest, MalformedGoalsAreThrown) {
 
 TEST_F(EpisodeTest, APromiseThatNoThresholdKeepsIsRefusedBeforeAnySearch) {
   options_.promise.fail_at_most = 0.001;
-  mind_.calibration = Sample();
+  mind_.calibrations = {Sample()};
   const EpisodeRecord record = Run();
   EXPECT_EQ(record.outcome, "refused");
   EXPECT_FALSE(record.reason.empty());
@@ -228,7 +230,7 @@ TEST_F(EpisodeTest, APromiseThatNoThresholdKeepsIsRefusedBeforeAnySearch) {
 
 TEST_F(EpisodeTest, APromiseSetsTheThreshold) {
   options_.promise.refuse_at_most = 0.5;
-  mind_.calibration = Sample();
+  mind_.calibrations = {Sample()};
   Finds({2, 0, 1});
   const EpisodeRecord record = Run();
   EXPECT_GT(mind_.questions.at(0).parameters.refusal_threshold, 0.25);
@@ -240,15 +242,13 @@ TEST_F(EpisodeTest, APromiseSetsTheThreshold) {
 TEST_F(EpisodeTest, APromiseNeedsACalibrationThatCoversTheScene) {
   options_.promise.refuse_at_most = 0.1;
   EXPECT_THROW(Run(), Lost) << "there is none";
-  mind_.calibration = Sample();
-  mind_.calibration->parameters["plan_length"] = 9;
+  mind_.calibrations = {Of(9)};
   EXPECT_THROW(Run(), PromiseError) << "of another kind of scenes";
   EXPECT_TRUE(mind_.questions.empty());
 }
 
 TEST_F(EpisodeTest, ScenesThatTheWeightsWereNotCalibratedOnAreRefused) {
-  mind_.calibration = Sample();
-  mind_.calibration->parameters["plan_length"] = 9;
+  mind_.calibrations = {Of(9)};
   Finds({2, 0, 1});
   const EpisodeRecord record = Run();
   ExpectRefused(record, "--refusal-threshold X attempts plans");
@@ -257,9 +257,23 @@ TEST_F(EpisodeTest, ScenesThatTheWeightsWereNotCalibratedOnAreRefused) {
   EXPECT_FALSE(record.terms);
 }
 
+TEST_F(EpisodeTest, EachKindOfScenesHasItsOwnCalibration) {
+  mind_.calibrations = {Of(9), Of(3)};
+  mind_.calibrations[0].refusal_threshold = 0.9;
+  mind_.calibrations[0].rule = "puct";
+  mind_.calibrations[1].refusal_threshold = 0.125;
+  mind_.calibrations[1].rule = "best_first";
+  options_.search.rule = "";
+  Finds({2, 0, 1});
+  const EpisodeRecord record = Run();
+  EXPECT_EQ(record.outcome, "solved");
+  EXPECT_EQ(record.not_covered, "");
+  EXPECT_EQ(mind_.questions.at(0).parameters.refusal_threshold, 0.125);
+  EXPECT_EQ(mind_.questions.at(0).parameters.rule, "best_first");
+}
+
 TEST_F(EpisodeTest, AThresholdOfOnesOwnAttemptsThemAllTheSame) {
-  mind_.calibration = Sample();
-  mind_.calibration->parameters["plan_length"] = 9;
+  mind_.calibrations = {Of(9)};
   options_.refusal_threshold = 0.4;
   Finds({2, 0, 1});
   EXPECT_EQ(Run().outcome, "solved");
@@ -267,7 +281,7 @@ TEST_F(EpisodeTest, AThresholdOfOnesOwnAttemptsThemAllTheSame) {
 }
 
 TEST_F(EpisodeTest, ConfidenceIsThatOfTheFirstPlan) {
-  mind_.calibration = Sample();
+  mind_.calibrations = {Sample()};
   Finds({2, 0, 1}, 0.84);
   const EpisodeRecord record = Run();
   ASSERT_TRUE(record.confidence);

@@ -134,12 +134,12 @@ class ScriptedMind : public Mind {
 
   MindInfo Choose() override {
     script_.Call("choose");
-    return {"scripted", "00000000000000aa", 0.25, rule};
+    return {"scripted", "00000000000000aa", 0.25};
   }
-  const model::CalibrationSample* Calibration(bool needed) override {
+  std::vector<model::CalibrationSample> Calibrations(bool needed) override {
     script_.Call(needed ? "calibration(needed)" : "calibration");
-    if (needed && !calibration) throw Lost("no calibration");
-    return calibration ? &*calibration : nullptr;
+    if (needed && calibrations.empty()) throw Lost("no calibration");
+    return calibrations;
   }
   SearchAnswer Search(const SearchQuestion& question) override {
     script_.Call("search");
@@ -176,9 +176,8 @@ class ScriptedMind : public Mind {
     return recognition;
   }
 
-  std::deque<planner::Plan> plans;  ///< beyond: refusals
-  std::string rule;                 ///< by which its threshold was calibrated
-  std::optional<model::CalibrationSample> calibration;
+  std::deque<planner::Plan> plans;                     ///< beyond: refusals
+  std::vector<model::CalibrationSample> calibrations;  ///< one for each kind of scenes
   Recognition recognition;
   bool draws = true;
   std::vector<SearchQuestion> questions;

@@ -49,7 +49,7 @@ TEST(BundledWeights, KnowWhatTheirPicturesLookLike) {
   for (const char* task : {"stacking", "navigation"}) {
     const std::string file = kRoot + "/model/weights/" + task + ".safetensors";
     EXPECT_TRUE(NoveltyGauge::Load(file)) << task;
-    EXPECT_FALSE(CalibrationOf(file).sample.empty()) << task;
+    EXPECT_FALSE(SamplesOf(CalibrationsOf(file)).empty()) << task;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "model/refusal/scene_kind.h"
 #include "model/weights.h"
 #include "tests/unit/model/refusal_sample.h"
 #include "tests/unit/model/test_folder.h"
@@ -41,7 +42,7 @@ class CalibrationFile : public ::testing::Test {
   }
   void ExpectRefused(const std::string& reason) const {
     try {
-      CalibrationOf(path_);
+      CalibrationsOf(path_);
       FAIL() << "expected a refusal: " << reason;
     } catch (const WeightsError& error) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
@@ -55,7 +56,7 @@ class CalibrationFile : public ::testing::Test {
 
 TEST_F(CalibrationFile, ComesBackAsItWasStored) {
   StoreCalibration(path_, Made());
-  const Calibration back = CalibrationOf(path_), made = Made();
+  const Calibration back = CalibrationsOf(path_).at(0), made = Made();
   EXPECT_EQ(back.refusal_threshold, made.refusal_threshold);
   EXPECT_EQ(back.alpha, made.alpha);
   EXPECT_EQ(back.epsilon, made.epsilon);
@@ -86,7 +87,7 @@ TEST_F(CalibrationFile, OfOtherTensorsIsRefused) {
   StoreCalibration(path_, Made());
   const json calibration = ReadWeights(path_).metadata["calibration"];
   Write(calibration);
-  EXPECT_EQ(CalibrationOf(path_).sample.scenes.size(), 4u);
+  EXPECT_EQ(CalibrationsOf(path_).at(0).sample.scenes.size(), 4u);
   tensors_["a.weight"][1][2] += 1;
   Write(calibration);
   ExpectRefused("was made for other weights");
@@ -102,18 +103,39 @@ TEST_F(CalibrationFile, StaysWhenWhatIsKnownOfPicturesIsStored) {
   WeightsFile file = ReadWeights(path_);
   file.tensors["novelty.axes"] = HalfTensor({2, 2}, {1, 1, 1, 1});
   WriteWeights(path_, file.tensors, file.metadata);
-  EXPECT_DOUBLE_EQ(CalibrationOf(path_).refusal_threshold, 0.25);
+  EXPECT_DOUBLE_EQ(CalibrationsOf(path_).at(0).refusal_threshold, 0.25);
+}
+
+// Scenes of another kind have a threshold of their own.
+TEST_F(CalibrationFile, KeepsOneForEachKindOfScenes) {
+  const auto of = [](int plan_length, double threshold) {
+    Calibration made = Made();
+    made.sample.parameters["plan_length"] = plan_length;
+    made.refusal_threshold = threshold;
+    return made;
+  };
+  Write({{"refusal_threshold", 0.31}});  // training's own, of no kind
+  StoreCalibration(path_, of(3, 0.1));
+  StoreCalibration(path_, of(5, 0.2));
+  StoreCalibration(path_, of(3, 0.4));
+  const std::vector<Calibration> both = CalibrationsOf(path_);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].refusal_threshold, 0.4);
+  EXPECT_EQ(KindOf(both[0].sample).plan_length, 3);
+  EXPECT_EQ(both[1].refusal_threshold, 0.2);
+  EXPECT_EQ(both[1].sample.refusal_threshold, 0.2);
+  EXPECT_EQ(KindOf(both[1].sample).plan_length, 5);
 }
 
 TEST_F(CalibrationFile, OldFilesHaveAThresholdAndNoSample) {
   Write({{"refusal_threshold", 0.31}, {"alpha", 0.05}, {"scenes", 70}, {"command", "old"}});
-  const Calibration old = CalibrationOf(path_);
+  const Calibration old = CalibrationsOf(path_).at(0);
   EXPECT_EQ(old.refusal_threshold, 0.31);
   EXPECT_EQ(old.alpha, 0.05);
   EXPECT_FALSE(old.epsilon);
   EXPECT_TRUE(old.sample.empty());
   WriteWeights(path_, tensors_, {{"task", "made"}});
-  EXPECT_EQ(CalibrationOf(path_).refusal_threshold, 0);
+  EXPECT_TRUE(CalibrationsOf(path_).empty());
 }
 
 TEST_F(CalibrationFile, DamageIsNamed) {

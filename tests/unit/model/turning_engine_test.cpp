@@ -112,9 +112,9 @@ TEST_F(Turning, IsStoredWithTheWeightsAndEndsWhatWasCalibratedWithout) {
   calibration.refusal_threshold = 0.3;
   StoreCalibration(weights_.path, calibration);
   StoreTurns(weights_.path, 1);
-  EXPECT_EQ(CalibrationOf(weights_.path).refusal_threshold, 0.3) << "nothing changed";
+  EXPECT_EQ(CalibrationsOf(weights_.path).at(0).refusal_threshold, 0.3) << "nothing changed";
   StoreTurns(weights_.path, 8);
-  EXPECT_EQ(CalibrationOf(weights_.path).refusal_threshold, 0);
+  EXPECT_TRUE(CalibrationsOf(weights_.path).empty());
   EXPECT_EQ(TurnsOf(weights_.path), 8);
   EXPECT_EQ(LoadSearchEngine(weights_.path, 1)->info().turns, 8);
   EXPECT_EQ(LoadEngine(weights_.path, 1)->info().turns, 1) << "the networks themselves";

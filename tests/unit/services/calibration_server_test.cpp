@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "model/refusal/scene_kind.h"
 #include "model/scripted_engine.h"
 #include "services/binding/calibration_messages.h"
 #include "services/model/model_server.h"
@@ -42,15 +43,24 @@ class CalibrationServer : public testing::Test {
 
 TEST_F(CalibrationServer, SaysTheSampleOfItsWeightsBeforeItIntroducesItself) {
   model::ScriptedOptions options;
-  options.calibration.rule = "paper";
-  options.calibration.scenes = {{0.5, model::SceneClass::kSolvable, model::SceneEnding::kFailed}};
+  model::CalibrationSample sample;
+  sample.rule = "paper";
+  sample.refusal_threshold = 0.25;
+  sample.scenes = {{0.5, model::SceneClass::kSolvable, model::SceneEnding::kFailed}};
+  sample.parameters = {{"plan_length", 5}};
+  options.calibrations = {sample, sample};
+  options.calibrations.back().parameters["plan_length"] = 3;
   ASSERT_TRUE(Serve(options, 1));
   EXPECT_TRUE(known_before_info_);
   ASSERT_TRUE(calibration_);
   EXPECT_EQ(calibration_->weights_hash, info_.weights_hash);
   EXPECT_EQ(calibration_->server_id, info_.server_id);
   EXPECT_EQ(calibration_->task, info_.task);
-  EXPECT_EQ(SampleFrom(*calibration_).scenes.at(0).score, 0.5);
+  EXPECT_EQ(info_.calibrations, 2);
+  const model::CalibrationSample second = SampleFrom(*calibration_);
+  EXPECT_EQ(second.scenes.at(0).score, 0.5);
+  EXPECT_EQ(second.refusal_threshold, 0.25);
+  EXPECT_EQ(model::KindOf(second).plan_length, 3);
 }
 
 TEST_F(CalibrationServer, SaysNothingWhereThereIsNone) {
