@@ -19,9 +19,8 @@ struct Recorded {
 model::GivenUpBelow GivenUpBy(const std::string& rule);
 
 // Judges the trials of `data` that are held out, or all of them, by what searches by `rule` give
-// up; shows progress. Throws
-// model::DataError where there are none, or where `all` would take trials that the weights were
-// trained on; model::WeightsError; ExitError after a stop signal.
+// up; shows progress. Throws model::DataError where there are none, or where `all` would take
+// trials that the weights were trained on; model::WeightsError; ExitError after a stop signal.
 Recorded JudgeData(const std::string& data, const std::string& weights, const std::string& rule,
                    bool all);
 
