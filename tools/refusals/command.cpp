@@ -1,4 +1,8 @@
+#include <cstddef>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/exit_codes.h"
 #include "base/stop_signals.h"
@@ -24,6 +28,7 @@ using nlohmann::json;
 struct Named {
   std::string task;
   model::CalibrationSample sample;
+  std::size_t file = 0;  // of those that are named, by order
 };
 
 // One for each kind of scenes that they were calibrated on.
@@ -43,8 +48,13 @@ std::vector<Named> FromWeights(const std::string& path) {
                             "makes one");
 }
 
+// Of the next file.
 void Add(std::vector<Named> more, std::vector<Named>* samples) {
-  samples->insert(samples->end(), more.begin(), more.end());
+  const std::size_t file = samples->empty() ? 0 : samples->back().file + 1;
+  for (Named& named : more) {
+    named.file = file;
+    samples->push_back(std::move(named));
+  }
 }
 
 Named FromReport(const std::string& path) try {
@@ -73,7 +83,7 @@ double Of(const std::vector<double>& targets, std::size_t i, std::size_t files) 
 // Of the files that are named, or of the bundled weights.
 std::vector<Named> SamplesOf(const cli::RefusalsOptions& options) {
   std::vector<Named> samples;
-  for (const std::string& path : options.reports) samples.push_back(FromReport(path));
+  for (const std::string& path : options.reports) Add({FromReport(path)}, &samples);
   for (const std::string& path : options.weights) Add(FromWeights(path), &samples);
   if (!samples.empty()) return samples;
   std::vector<std::string> tasks = options.tasks;
@@ -94,8 +104,8 @@ int RunRefusals(const cli::RefusalsOptions& options) {
   std::vector<json> figures;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Named& named = samples[i];
-    measure.alpha = Of(options.alphas, i, samples.size());
-    measure.epsilon = Of(options.epsilons, i, samples.size());
+    measure.alpha = Of(options.alphas, named.file, samples.back().file + 1);
+    measure.epsilon = Of(options.epsilons, named.file, samples.back().file + 1);
     figures.push_back(MeasureRefusals(named.sample, named.task, measure));
     Words() << RefusalTable(figures.back()) << model::CurveTable(named.sample);
   }
