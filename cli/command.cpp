@@ -79,6 +79,23 @@ void SetUp(CLI::App& app, std::string_view command) {
   app.allow_extras();
 }
 
+std::vector<std::string> Given(const CLI::App& app,
+                               const std::function<bool(const std::string&)>& wanted) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = "--" + option->get_lnames().front();
+    if (!wanted(name)) continue;
+    if (option->get_expected_max() == 0) {
+      words.push_back(name);
+    } else {
+      for (const std::string& value : option->reduced_results())
+        words.push_back(name + "=" + value);
+    }
+  }
+  return words;
+}
+
 std::optional<int> ParseArguments(CLI::App& app, std::vector<std::string> arguments,
                                   const std::function<std::string()>& defect) {
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -72,6 +72,11 @@ std::function<Bound(CLI::App&)> Defined() {
 /// last one counts.
 void SetUp(CLI::App& app, std::string_view command);
 
+/// The options of `app` that were given and whose names ("--scenes") are wanted, as arguments in
+/// the order of their definition: "--name=value".
+std::vector<std::string> Given(const CLI::App& app,
+                               const std::function<bool(const std::string&)>& wanted);
+
 /// Parses `arguments` (without the program's name) and looks for the defect. @return the status to
 /// end with: 0 after --help, 2 after what is wrong, which was told on standard error in one line;
 /// nothing: go on

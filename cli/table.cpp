@@ -8,6 +8,7 @@
 #include "cli/commands/deployment.h"
 #include "cli/commands/evaluate.h"
 #include "cli/commands/figures.h"
+#include "cli/commands/merge.h"
 #include "cli/commands/oracle.h"
 #include "cli/commands/replay.h"
 #include "cli/commands/tables.h"
@@ -103,6 +104,7 @@ std::vector<Command> TrainCommands() {
                                        "prospect-data", {"from-robomimic"}),
       Row<DatasetExportOptions>("dataset export", "a data set as robomimic reads one",
                                 "prospect-data", {"export"}),
+      Row<MergeOptions>("merge", "join what processes with --shard made into one file"),
       Row<TrainOptions>("train", "train the networks", "prospect-train", {"train"}),
   };
 }

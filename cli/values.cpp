@@ -144,6 +144,25 @@ CLI::Validator PlanOfNames() {
       "");
 }
 
+CLI::Validator PartOfParts() {
+  return Made(
+      [](std::string& text) -> std::string {
+        constexpr int kMost = 1000;
+        int part = 0, parts = 0;
+        const char* end = text.data() + text.size();
+        const auto [slash, bad] = std::from_chars(text.data(), end, part);
+        if (bad == std::errc() && slash != end && *slash == '/') {
+          const auto [stopped, error] = std::from_chars(slash + 1, end, parts);
+          if (error == std::errc() && stopped == end && part >= 1 && part <= parts &&
+              parts <= kMost)
+            return "";
+        }
+        return "wants a part and their number, such as 1/8 to 8/8, of at most 1000, not '" + text +
+               "'";
+      },
+      "");
+}
+
 CLI::Validator OneOf(const std::vector<std::string>& words) {
   std::string allowed;
   for (const std::string& word : words) allowed += (allowed.empty() ? "" : ", ") + word;

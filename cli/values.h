@@ -32,6 +32,9 @@ CLI::Validator Policy();
 /// Names of actions, parted by commas: "align(green),grasp(green)".
 CLI::Validator PlanOfNames();
 
+/// I/N: one of N parts, 1 <= I <= N <= 1000.
+CLI::Validator PartOfParts();
+
 /// One of these words.
 CLI::Validator OneOf(const std::vector<std::string>& words);
 

@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kShardName[] = "shard";
+
 hsize_t Size(int n) { return static_cast<hsize_t>(n); }
 
 void ReadAttributes(hid_t demo, const std::string& file, Trial* trial) {
@@ -228,6 +230,11 @@ const std::string& TrialFile::path() const { return impl_->path; }
 std::size_t TrialFile::size() const { return impl_->seeds.size(); }
 const std::vector<std::uint64_t>& TrialFile::seeds() const { return impl_->seeds; }
 
+std::string TrialFile::shard() const {
+  if (H5Aexists(impl_->file, kShardName) <= 0) return "";
+  return hdf5::GetText(impl_->file, kShardName, impl_->path);
+}
+
 Split TrialFile::part(std::size_t i) const {
   const std::uint64_t seed = impl_->seeds.at(i);
   const auto said = impl_->parts.find(seed);
@@ -358,6 +365,7 @@ std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::str
     WriteDataAttributes(data, ReadDemoLabels(source_data, first_seed, first_file), packer.frames(),
                         out);
     WriteMasks(file, masks, out);
+    if (!choice.shard.empty()) hdf5::SetText(file, kShardName, choice.shard, out);
     hdf5::Check(H5Fflush(file, H5F_SCOPE_GLOBAL), out, "cannot be written; is the disk full?");
   }
   target.Trim();
@@ -404,6 +412,7 @@ void Count(const Trial& trial, std::map<std::string, std::size_t>* causes,
 
 DataSetSummary Summarize(const TrialFile& file) {
   DataSetSummary summary;
+  summary.shard = file.shard();
   std::map<std::string, std::size_t> causes;
   for (std::size_t i = 0; i < file.size(); ++i) {
     const Trial trial = file.ReadLabels(i);

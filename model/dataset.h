@@ -24,6 +24,8 @@
 ///                                     name (only where trials have names of their own),
 ///                                     simulated (0 where the seed is a robot's number, else left
 ///                                     out)
+///   /                                 attribute shard: only where it is a part of a data set, made
+///                                     by collect --shard; JSON (tools/common/parts.h)
 ///   mask/train, mask/valid, mask/test names of the trials of each part; a trial in none of them is
 ///                                     in the part of its seed (SplitOf)
 ///
@@ -51,14 +53,15 @@ void WriteTrialFile(const std::string& path, const Trial& trial);
 struct PackChoice {
   std::optional<Split> split;
   std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::string shard{};  ///< what the file is a part of (TrialFile::shard); empty: it is whole
 };
 
 /// Joins the chosen trials of files (each of one or more trials) into the data set `out`, in the
-/// order of their seeds, and writes the masks. Image chunks are copied without being unpacked.
-/// Atomic as WriteTrialFile. Returns the number of trials. Throws DataError on a damaged part, on a
-/// seed that comes twice, on simulated seeds outside the collection range, on trials of different
-/// tasks or image sizes, or if no trial is left, and DiskError where there is no room for `out`, or
-/// another process is writing it.
+/// order of their seeds, and writes the masks: the same trials give the same bytes. Image chunks
+/// are copied without being unpacked. Atomic as WriteTrialFile. Returns the number of trials.
+/// Throws DataError on a damaged part, on a seed that comes twice, on simulated seeds outside the
+/// collection range, on trials of different tasks or image sizes, or if no trial is left, and
+/// DiskError where there is no room for `out`, or another process is writing it.
 std::size_t PackTrialFiles(const std::vector<std::string>& parts, const std::string& out,
                            const PackChoice& choice = {});
 
@@ -80,6 +83,8 @@ class TrialFile {
   std::size_t size() const;                         ///< number of trials
   const std::vector<std::uint64_t>& seeds() const;  ///< ascending; trial i has seeds()[i]
 
+  /// What `collect --shard` says of the run that this file is a part of; empty: it is no part.
+  std::string shard() const;
   /// The part that trial `i` (0..size()-1) is in.
   Split part(std::size_t i) const;
   /// Trial `i` (0..size()-1) with its clean images. Throws DataError if it is damaged.
@@ -114,6 +119,7 @@ struct DataSetSummary {
   std::size_t train = 0, valid = 0, test = 0;  ///< trials of each part
   std::string task;
   std::string world_version;
+  std::string shard;  ///< TrialFile::shard()
   int width = 0, height = 0, num_actions = 0;
 };
 

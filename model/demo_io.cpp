@@ -60,7 +60,7 @@ hdf5::Handle CreateImages(hid_t demo, const char* group, const Trial& shape, hsi
   const hsize_t dims[4] = {frames, Size(shape.height), Size(shape.width), 3};
   const hsize_t limits[4] = {most, dims[1], dims[2], 3};
   const hsize_t chunk[4] = {1, dims[1], dims[2], 3};
-  hdf5::Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, "property list");
+  hdf5::Handle plist = hdf5::TimelessSet(file);
   hdf5::Check(H5Pset_chunk(plist, 4, chunk), file, "chunks");
   hdf5::Check(H5Pset_deflate(plist, kDeflateLevel), file,
               "deflate is not available in this libhdf5");

@@ -170,6 +170,12 @@ Handle CreateGroup(hid_t parent, const std::string& name, const std::string& fil
                 file, "cannot create group '" + name + "'");
 }
 
+Handle TimelessSet(const std::string& file) {
+  Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file, "property list");
+  Check(H5Pset_obj_track_times(plist, false), file, "times");
+  return plist;
+}
+
 Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file) {
   return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, file,
                 "group '" + name + "' is missing; not a data set of ours, or damaged");
@@ -191,9 +197,10 @@ void Write(hid_t group, const std::string& name, const std::vector<T>& values,
            const std::vector<hsize_t>& dims, const std::string& file) {
   Handle space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr), H5Sclose,
                file, "space of '" + name + "'");
-  Handle set(H5Dcreate2(group, name.c_str(), NativeType<T>(), space, H5P_DEFAULT, H5P_DEFAULT,
-                        H5P_DEFAULT),
-             H5Dclose, file, "cannot create '" + name + "'");
+  Handle plist = TimelessSet(file);
+  Handle set(
+      H5Dcreate2(group, name.c_str(), NativeType<T>(), space, H5P_DEFAULT, plist, H5P_DEFAULT),
+      H5Dclose, file, "cannot create '" + name + "'");
   if (values.empty()) return;
   Check(H5Dwrite(set, NativeType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), file,
         "cannot write '" + name + "'");
@@ -238,7 +245,8 @@ void WriteStrings(hid_t group, const std::string& name, const std::vector<std::s
   Handle type = TextType(longest, file);
   const hsize_t count = values.size();
   Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, file, "space of '" + name + "'");
-  Handle set(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  Handle plist = TimelessSet(file);
+  Handle set(H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, plist, H5P_DEFAULT),
              H5Dclose, file, "cannot create '" + name + "'");
   if (values.empty()) return;
   Check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, flat.data()), file,

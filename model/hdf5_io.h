@@ -40,6 +40,9 @@ Handle CreateInMemory(const std::string& name);
 /// The bytes of a file of CreateInMemory().
 std::vector<std::uint8_t> ImageOf(hid_t file, const std::string& name);
 Handle CreateGroup(hid_t parent, const std::string& name, const std::string& file);
+/// Properties for a new data set: without the time of its making, so that the same trials give the
+/// same bytes.
+Handle TimelessSet(const std::string& file);
 Handle OpenGroup(hid_t parent, const std::string& name, const std::string& file);
 /// Names of the links in a group, in the order of names.
 std::vector<std::string> LinkNames(hid_t group, const std::string& file);

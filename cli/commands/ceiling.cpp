@@ -27,7 +27,12 @@ void Define(CLI::App& app, CeilingOptions& options) {
       ->transform(Whole(0, 999'999))
       ->capture_default_str();
   DefineJobs(app, options.jobs);
+  DefineShard(app, options.shard);
   DefineReport(app, options.report);
+}
+
+std::string Defect(const CeilingOptions& options) {
+  return ShardDefect(options.shard, options.report);
 }
 
 }  // namespace prospect::cli

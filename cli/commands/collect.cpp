@@ -45,6 +45,7 @@ void Define(CLI::App& app, CollectOptions& options) {
       ->required();
   DefineTrialScenes(app, options.scenes);
   DefineJobs(app, options.jobs);
+  DefineShard(app, options.shard);
   app.add_option("--image-noise", options.image_noise,
                  "sigma of the sensor noise that readers add (jigsaws: that is in the pictures), a "
                  "share of full range")
@@ -66,6 +67,7 @@ void Define(CLI::App& app, CollectOptions& options) {
 std::string Defect(const CollectOptions& options) {
   if (options.format == "jigsaws" && !TaskOf(options.task).only_predicted)
     return "--format jigsaws is for tasks that are only predicted, such as --task suturing";
+  if (options.format == "jigsaws" && options.shard.given()) return "--shard is for --format hdf5";
   return "";
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/fwd.h"
 #include "cli/options/report.h"
+#include "cli/options/shard.h"
 #include "cli/options/task.h"
 #include "cli/options/trial_scenes.h"
 
@@ -32,7 +33,8 @@ struct CollectOptions {
   int height = 96;
   bool right_eye = false;  ///< write NAME_capture2.avi, too
   bool failures =
-      false;  ///< keep trials that fail; otherwise they are done again until they succeed
+      false;           ///< keep trials that fail; otherwise they are done again until they succeed
+  ShardOptions shard;  ///< hdf5
   ReportOptions report;
 };
 

@@ -105,13 +105,17 @@ void Define(CLI::App& app, EvaluateOptions& options) {
   app.add_option("--videos", options.videos,
                  "a folder for a video of each scene as the planner carried it out")
       ->type_name("DIR");
+  DefineShard(app, options.shard);
   DefineReport(app, options.report);
 }
 
 std::string Defect(const EvaluateOptions& options) {
   if (options.promise.asked() && options.threshold >= 0)
     return "--threshold is given: leave --refuse-at-most and --fail-at-most out";
-  return SceneDefect(options.scene, options.task);
+  if (options.shard.given() && options.solvable + options.hopeless > 0)
+    return "--solvable and --hopeless count over all scenes: with --shard give --scenes";
+  const std::string shard = ShardDefect(options.shard, options.report);
+  return shard.empty() ? SceneDefect(options.scene, options.task) : shard;
 }
 
 void Define(CLI::App& app, EvaluatePlansOptions& options) {
@@ -133,11 +137,13 @@ void Define(CLI::App& app, EvaluatePlansOptions& options) {
   app.add_option("--outcomes", options.outcomes, "file that keeps how plans fared")
       ->default_str("under $PROSPECT_DATA/plans")
       ->type_name("FILE");
+  DefineShard(app, options.shard);
   DefineReport(app, options.report);
 }
 
 std::string Defect(const EvaluatePlansOptions& options) {
-  return SceneDefect(options.scene, options.task);
+  const std::string shard = ShardDefect(options.shard, options.report);
+  return shard.empty() ? SceneDefect(options.scene, options.task) : shard;
 }
 
 void Define(CLI::App& app, EvaluateShiftsOptions& options) {
@@ -186,11 +192,17 @@ void Define(CLI::App& app, CalibrateOptions& options) {
       ->type_name("N")
       ->transform(Whole(1, 8));
   DefineJobs(app, options.jobs);
+  DefineShard(app, options.shard);
   DefineReport(app, options.report);
 }
 
 std::string Defect(const CalibrateOptions& options) {
+  if (options.shard.given() && (!options.data.empty() || options.turns > 0))
+    return "--shard is for scenes, and for weights that stay as they are: leave --data and --turns "
+           "out";
   if (!options.data.empty()) return "";
+  const std::string shard = ShardDefect(options.shard, options.report);
+  if (!shard.empty()) return shard;
   if (!IsAmong(TaskNames(Tasks::kPlanned), options.task))
     return "'" + options.task + "' has no built-in simulator: give --data, recorded trials";
   const std::string scenes = CalibrationSeedDefect(options.seed, options.scenes);

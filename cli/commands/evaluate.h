@@ -12,6 +12,7 @@
 #include "cli/options/report.h"
 #include "cli/options/scene.h"
 #include "cli/options/search.h"
+#include "cli/options/shard.h"
 #include "cli/options/shift.h"
 #include "cli/options/task.h"
 #include "cli/options/weights.h"
@@ -40,6 +41,7 @@ struct EvaluateOptions {
                                    "greedy",  "exhaustive", "simulator_model"};
   int jobs = 2;
   std::string videos;  ///< folder for a video a scene; empty: none
+  ShardOptions shard;
   ReportOptions report;
 };
 
@@ -54,6 +56,7 @@ struct EvaluatePlansOptions {
   int most = 50;  ///< of more legal plans, so many are drawn
   int jobs = 2;
   std::string outcomes;  ///< file that keeps how plans fared; empty: under $PROSPECT_DATA/plans
+  ShardOptions shard;
   ReportOptions report;
 };
 
@@ -87,6 +90,7 @@ struct CalibrateOptions {
   bool all = false;        ///< of them all, as EvaluateDataOptions
   int turns = 0;  ///< the weights then look at each picture in so many turns; 0: as they do
   int jobs = 2;
+  ShardOptions shard;
   ReportOptions report;
 };
 

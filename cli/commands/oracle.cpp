@@ -23,11 +23,13 @@ void Define(CLI::App& app, OracleOptions& options) {
       ->default_str("$PROSPECT_DATA/oracle or ~/.cache/prospect/oracle")
       ->type_name("DIR");
   app.add_flag("--fresh", options.fresh, "consult anew and write no cache");
+  DefineShard(app, options.shard);
   DefineReport(app, options.report);
 }
 
 std::string Defect(const OracleOptions& options) {
-  return SceneDefect(options.scene, options.task);
+  const std::string shard = ShardDefect(options.shard, options.report);
+  return shard.empty() ? SceneDefect(options.scene, options.task) : shard;
 }
 
 }  // namespace prospect::cli

@@ -6,6 +6,7 @@
 #include "cli/fwd.h"
 #include "cli/options/report.h"
 #include "cli/options/scene.h"
+#include "cli/options/shard.h"
 #include "cli/options/task.h"
 
 namespace prospect::cli {
@@ -18,6 +19,7 @@ struct OracleOptions {
   int jobs = 2;        ///< processes
   std::string cache;   ///< folder; empty: $PROSPECT_DATA/oracle or ~/.cache/prospect/oracle
   bool fresh = false;  ///< consult anew, write no cache
+  ShardOptions shard;
   ReportOptions report;
 };
 

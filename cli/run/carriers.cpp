@@ -46,6 +46,7 @@ const std::map<std::string, Carrier>& Carriers() {
       {"spy", Carried<SpyOptions>()},
       {"record", CarriedAlone<RecordOptions>()},
       {"predict", Carried<PredictOptions>()},
+      {"merge", Carried<MergeOptions>()},
       {"bench search", Carried<BenchSearchOptions>()},
       {"messages", Plain(TellMessages, {"schema_gen"})},
       {"version", Plain(TellVersion)},

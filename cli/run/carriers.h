@@ -4,6 +4,7 @@
 #include "cli/commands/console.h"
 #include "cli/commands/deployment.h"
 #include "cli/commands/evaluate.h"
+#include "cli/commands/merge.h"
 #include "cli/commands/tasks.h"
 #include "cli/commands/upkeep.h"
 #include "cli/run/invocation.h"
@@ -53,6 +54,9 @@ int Run(const SpyOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const BenchSearchOptions& options);
 int Run(const BenchSearchOptions& options, const Invocation& invocation);
+
+Words ProgramsOf(const MergeOptions& options);
+int Run(const MergeOptions& options, const Invocation& invocation);
 
 Words ProgramsOf(const TaskLearnOptions& options);
 int Run(const TaskLearnOptions& options, const Invocation& invocation);

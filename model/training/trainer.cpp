@@ -125,6 +125,8 @@ void RequireSuccess(const TrialFile& file, const SampleSet& samples) {
 
 SampleSet ReadSamplesFor(const TrialFile& file, const TrainConfig& config,
                          const TrainOptions& options) {
+  if (!file.shard().empty())
+    throw DataError(file.path() + ": is one part of a data set: join all with ./prospect merge");
   if (!base::Quiet()) std::fprintf(stderr, "reading labels of %zu trials\n", file.size());
   SampleSet samples = ReadSamples(file, config.mids_per_segment);
   if (samples.trials.empty()) throw DataError(file.path() + ": has no trials");

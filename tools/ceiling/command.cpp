@@ -15,8 +15,7 @@
 #include "tools/ceiling/replay.h"
 #include "tools/collect/collector.h"
 #include "tools/collect/scene_tasks.h"
-#include "tools/common/fork_map.h"
-#include "tools/common/progress.h"
+#include "tools/common/run_items.h"
 #include "tools/world/commands.h"
 
 namespace prospect::tools {
@@ -144,15 +143,39 @@ int MostActions(const cli::CeilingOptions& options, const std::vector<std::uint6
   return most;
 }
 
+// What the records of trials depend on besides the options.
+json MadeOf(const cli::CeilingOptions& options, std::uint64_t seed) {
+  SceneTasks tasks(options.task);
+  return {{"world_version", tasks.Get(SceneOptions(options.scenes, seed)).spec().world_version}};
+}
+
+json Report(const cli::CeilingOptions& options, const ItemRuns& runs) {
+  std::map<std::string, Bounds> rows;
+  std::map<std::string, PictureBounds> pictures;
+  int moments = 0;
+  for (const json& trial : runs.records) {
+    moments += !trial.empty();
+    for (const auto& [name, found] : trial.items()) {
+      if (name == "x1" || name == "x2")
+        pictures[name].Add(found);
+      else
+        rows[name].Add(FromJson(found));
+    }
+  }
+  json report = {{"task", options.task},   {"trials", runs.extent.done},
+                 {"runs", options.runs},   {"moments", moments},
+                 {"rows", json::object()}, {"pictures", json::object()}};
+  for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
+  for (const auto& [name, bounds] : pictures) report["pictures"][name] = Figures(bounds);
+  runs.extent.Put(&report);
+  return report;
+}
+
 }  // namespace
 
 int RunCeiling(const cli::CeilingOptions& options) {
   const std::vector<std::uint64_t> seeds = TestSeeds(options);
   const int most = MostActions(options, seeds);  // refuses an unknown task, too
-  std::map<std::string, Bounds> rows;
-  std::map<std::string, PictureBounds> pictures;
-  int moments = 0;
-  Progress progress("trials", options.trials);
   const auto worker = [&] {
     auto tasks = std::make_shared<SceneTasks>(options.task);
     return [&seeds, &options, tasks, most](int i) {
@@ -161,23 +184,12 @@ int RunCeiling(const cli::CeilingOptions& options) {
       return LookAt(task, seed, options.runs, most).dump();
     };
   };
-  const Extent extent =
-      ForkMap(options.trials, options.jobs, worker, [&](int, const std::string& line) {
-        const json one = json::parse(line);
-        moments += !one.empty();
-        for (const auto& [name, found] : one.items()) {
-          if (name == "x1" || name == "x2")
-            pictures[name].Add(found);
-          else
-            rows[name].Add(FromJson(found));
-        }
-        progress.Step(std::to_string(moments) + " moments");
-      });
-  json report = {{"task", options.task}, {"trials", extent.done},  {"runs", options.runs},
-                 {"moments", moments},   {"rows", json::object()}, {"pictures", json::object()}};
-  for (const auto& [name, bounds] : rows) report["rows"][name] = Figures(bounds);
-  for (const auto& [name, bounds] : pictures) report["pictures"][name] = Figures(bounds);
-  extent.Put(&report);
+  const Items trials = {"trials", options.trials, options.jobs, MadeOf(options, seeds.front())};
+  const ItemRuns runs = RunItems(options.shard, trials, worker);
+  if (options.shard.given())
+    return WritePart(options.shard, options.report, "ceiling", trials, runs);
+  const Extent& extent = runs.extent;
+  const json report = Report(options, runs);
   if (options.report.talks()) {
     Print(report);
     std::printf("%s", extent.Line("trials").c_str());

@@ -18,6 +18,7 @@
 #include "tools/collect/scene_tasks.h"
 #include "tools/collect/trial_recorder.h"
 #include "tools/common/fork_map.h"
+#include "tools/common/parts.h"
 #include "tools/common/progress.h"
 
 namespace prospect::tools {
@@ -29,6 +30,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSceneStream = 0x6d69786564ULL;
 constexpr std::uint64_t kTowerStream = 0x746f776572ULL;
 constexpr char kMixed[] = "mixed";
+constexpr char kCommand[] = "collect";
 
 std::string PartsFolder(const cli::CollectOptions& options) { return options.out + ".parts"; }
 
@@ -37,6 +39,14 @@ std::string PartPath(const cli::CollectOptions& options, std::uint64_t seed) {
 }
 
 int TrialsOf(const cli::CollectOptions& options) { return options.trials.value_or(100); }
+
+// Of the trials that this process makes.
+std::vector<std::uint64_t> SeedsOf(const cli::CollectOptions& options) {
+  std::vector<std::uint64_t> seeds;
+  for (const int i : ItemsOf(options.shard, TrialsOf(options)))
+    seeds.push_back(options.seed + static_cast<std::uint64_t>(i));
+  return seeds;
+}
 
 sim::TaskOptions SceneOf(const cli::CollectOptions& options, std::uint64_t seed) {
   sim::TaskOptions scene = SceneOptions(options.scenes, seed);
@@ -118,10 +128,12 @@ json CollectOne(const cli::CollectOptions& options, std::uint64_t seed, SceneTas
   return Line(trial, false);
 }
 
-std::function<std::string(int)> MakeWorker(const cli::CollectOptions& options) {
+std::function<std::string(int)> MakeWorker(const cli::CollectOptions& options,
+                                           const std::vector<std::uint64_t>& seeds) {
   auto tasks = std::make_shared<SceneTasks>(options.task);
-  return
-      [options, tasks](int i) { return CollectOne(options, options.seed + i, tasks.get()).dump(); };
+  return [options, tasks, &seeds](int i) {
+    return CollectOne(options, seeds[static_cast<std::size_t>(i)], tasks.get()).dump();
+  };
 }
 
 void Add(const json& line, CollectSummary* summary) {
@@ -141,10 +153,15 @@ std::string SuccessShare(const CollectSummary& summary) {
          " % succeeded";
 }
 
-void Pack(const cli::CollectOptions& options) {
+void Pack(const cli::CollectOptions& options, const std::vector<std::uint64_t>& seeds) {
   std::vector<std::string> parts;
-  for (int i = 0; i < TrialsOf(options); ++i) parts.push_back(PartPath(options, options.seed + i));
-  model::PackTrialFiles(parts, options.out);
+  for (const std::uint64_t seed : seeds) parts.push_back(PartPath(options, seed));
+  model::PackChoice all;
+  if (options.shard.given()) {
+    const json made_of = {{"world_version", CheckedWorldVersion(options)}};
+    all.shard = ToJson(PartOf(options.shard, kCommand, TrialsOf(options), made_of)).dump();
+  }
+  model::PackTrialFiles(parts, options.out, all);
   if (!options.keep_parts) fs::remove_all(PartsFolder(options));
 }
 
@@ -173,19 +190,21 @@ sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_
 CollectSummary Collect(const cli::CollectOptions& options) {
   CheckSeeds(options);
   CheckedWorldVersion(options);  // before anything is written
+  const std::vector<std::uint64_t> seeds = SeedsOf(options);
   const base::Lock own = base::LockFolder(PartsFolder(options));
   PrepareParts(options);
   CollectSummary summary;
-  Progress progress("trials", TrialsOf(options));
+  const int trials = static_cast<int>(seeds.size());
+  Progress progress("trials", trials);
   const auto start = std::chrono::steady_clock::now();
   const Extent extent = ForkMap(
-      TrialsOf(options), options.jobs, [&] { return MakeWorker(options); },
+      trials, options.jobs, [&] { return MakeWorker(options, seeds); },
       [&](int, const std::string& line) {
         Add(json::parse(line), &summary);
         progress.Step(SuccessShare(summary));
       });
   if (extent.stopped()) throw Interrupted(extent.Words("trials") + "; --resume goes on with them");
-  Pack(options);
+  Pack(options, seeds);
   summary.wall_seconds = base::SecondsSince(start);
   return summary;
 }

@@ -32,7 +32,8 @@ class CollectUsageError : public std::invalid_argument {
 // equal shares. "mixed" towers: 2, 3 or 4 at equal shares.
 sim::TaskOptions SceneOptions(const cli::TrialSceneOptions& scenes, std::uint64_t seed);
 
-// Records all trials, one file each in OUT.parts/, then packs them into OUT and removes the parts.
+// Records all trials, or the share of options.shard, one file each in OUT.parts/, then packs them
+// into OUT and removes the parts.
 // Throws CollectUsageError, model::DataError, base::DiskError (also where another process collects
 // there), Interrupted.
 CollectSummary Collect(const cli::CollectOptions& options);

@@ -2,6 +2,7 @@
 
 #include "cli/commands/collect.h"
 #include "cli/commands/dataset.h"
+#include "cli/commands/merge.h"
 #include "cli/commands/tasks.h"
 
 namespace prospect::tools {
@@ -14,6 +15,8 @@ int RunCollect(const cli::CollectOptions& options);
 
 int RunInfo(const cli::DatasetInfoOptions& options);
 int RunPack(const cli::DatasetPackOptions& options);
+/// Joins the parts of one collection.
+int RunMergeTrials(const cli::MergeOptions& options);
 int RunSheet(const cli::DatasetSheetOptions& options);
 /// Throws tasks::TaskFileError where the file is bad.
 int RunTaskCheck(const cli::TaskCheckOptions& options);

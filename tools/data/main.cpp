@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
       Carries("collect", "collect", tools::RunCollect),
       Carries("info", "dataset info", tools::RunInfo),
       Carries("pack", "dataset pack", tools::RunPack),
+      Carries("merge", "merge", tools::RunMergeTrials),
       Carries("sheet", "dataset sheet", tools::RunSheet),
       Carries("task-check", "task check", tools::RunTaskCheck),
       Carries("export", "dataset export", tools::RunExport),

@@ -11,6 +11,7 @@
 #include "model/dataset.h"
 #include "model/robomimic/export.h"
 #include "report/png.h"
+#include "tools/common/parts.h"
 #include "tools/common/same_table.h"
 #include "tools/data/commands.h"
 #include "tools/dataset/apart.h"
@@ -61,6 +62,17 @@ const sim::TaskSpec* TableOf(const std::string& task, const model::TrialFile& da
   return installed && TableDifference(*installed, trial).empty() ? &installed->spec : nullptr;
 }
 
+/// Throws PartError, DataError.
+Part PartOfFile(const std::string& file) {
+  const model::TrialFile trials(file);
+  if (trials.shard().empty())
+    throw PartError(file + ": is no part of a run: it was made without --shard");
+  const Part part = PartFrom(trials.shard(), file);
+  if (trials.size() != static_cast<std::size_t>(SizeOf(part)))
+    throw PartError(file + ": does not hold its trials; damaged: make this part anew");
+  return part;
+}
+
 }  // namespace
 
 int RunInfo(const cli::DatasetInfoOptions& options) {
@@ -78,6 +90,18 @@ int RunPack(const cli::DatasetPackOptions& options) {
   const auto work = [&] {
     const std::size_t trials =
         model::PackTrialFiles(Expand(options.inputs), options.out, ChoiceOf(options));
+    if (!base::Quiet()) std::printf("%zu trials in %s\n", trials, options.out.c_str());
+    return 0;
+  };
+  return RunApart(work, options.out);
+}
+
+int RunMergeTrials(const cli::MergeOptions& options) {
+  const auto work = [&] {
+    std::vector<NamedPart> parts;
+    for (const std::string& file : options.parts) parts.push_back({file, PartOfFile(file)});
+    RequireOneRun(parts);
+    const std::size_t trials = model::PackTrialFiles(options.parts, options.out);
     if (!base::Quiet()) std::printf("%zu trials in %s\n", trials, options.out.c_str());
     return 0;
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/common/causes.h"
+#include "tools/common/parts.h"
 #include "tools/dataset/action_table.h"
 
 namespace prospect::tools {
@@ -80,6 +81,11 @@ DataSetInfo Inspect(const model::TrialFile& file, const sim::TaskSpec* spec) {
 void PrintInfo(const DataSetInfo& info, std::FILE* out) {
   const model::DataSetSummary& s = info.summary;
   std::fprintf(out, "task         %s (%s)\n", s.task.c_str(), s.world_version.c_str());
+  if (!s.shard.empty()) {
+    const Part part = PartFrom(s.shard, "the file");
+    std::fprintf(out, "part         %d of %d; ./prospect merge joins all\n", part.index,
+                 part.count);
+  }
   std::fprintf(out, "trials       %zu: %zu train, %zu valid, %zu test\n", s.trials, s.train,
                s.valid, s.test);
   std::fprintf(out, "frames       %zu of %dx%d\n", s.frames, s.width, s.height);
@@ -113,6 +119,7 @@ json InfoJson(const DataSetInfo& info) {
   }
   return {{"task", s.task},
           {"world_version", s.world_version},
+          {"part", s.shard.empty() ? json() : ToJson(PartFrom(s.shard, "the file"))},
           {"trials", s.trials},
           {"successes", s.successes},
           {"failures", ByCause(reasons)},

@@ -32,7 +32,8 @@ DataSetInfo Inspect(const model::TrialFile& file, const sim::TaskSpec* spec);
 
 void PrintInfo(const DataSetInfo& info, std::FILE* out);
 
-// Keys: task, world_version, trials, successes, failures (by cause), reasons, retries (null: not
+// Keys: task, world_version, part (of collect --shard: index, count and what else is said of the
+// run; null: it is whole), trials, successes, failures (by cause), reasons, retries (null: not
 // known), frames, segments, segments_succeeded, train, valid, test, width, height, num_actions,
 // actions (a list: action, count, succeeded, seconds_p05, seconds_p50, seconds_p95).
 nlohmann::json InfoJson(const DataSetInfo& info);

@@ -37,7 +37,16 @@ ClosedLoop LoopOf(const cli::CalibrateOptions& options) {
   loop.threshold = 0;
   loop.rows = {"planner"};
   loop.jobs = options.jobs;
+  loop.shard = options.shard;
   return loop;
+}
+
+// What is stored with the weights has no part in the scores, but for their turns and rule.
+Items ScenesToCalibrateOn(const ClosedLoop& loop) {
+  Items scenes = ScenesOf(loop, model::TensorsHash(model::ReadWeights(loop.weights)));
+  scenes.made_of["turns"] = model::TurnsOf(loop.weights);
+  scenes.made_of["rule"] = loop.search.rule;
+  return scenes;
 }
 
 model::Promise PromiseAsked(const cli::CalibrateOptions& options) {
@@ -171,8 +180,11 @@ int RunCalibrate(const cli::CalibrateOptions& options) {
   const ClosedLoop loop = LoopOf(options);
   CheckInputs(loop);
   if (options.turns > 0) model::StoreTurns(loop.weights, options.turns);
-  const SceneRuns runs = RunClosedLoops(loop);
+  const Items scenes = ScenesToCalibrateOn(loop);
+  const SceneRuns runs = RunClosedLoops(loop, scenes);
   Tell(loop, runs);
+  if (options.shard.given())
+    return WritePart(options.shard, options.report, "evaluate calibrate", scenes, runs);
   if (runs.extent.stopped()) {
     Words() << "no calibration of so few scenes is stored\n";
   } else {

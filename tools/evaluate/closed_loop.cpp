@@ -98,8 +98,14 @@ model::SceneKind KindAsked(const ClosedLoop& options) {
   return KindOf(*task);
 }
 
-SceneRuns RunClosedLoops(const ClosedLoop& loop) {
-  SceneRuns runs = RunScenes(SeedsOf(loop), loop.jobs, [&]() -> SceneRun {
+Items ScenesOf(const ClosedLoop& loop, std::uint64_t weights_hash) {
+  return {"scenes", loop.scenes, loop.jobs, SceneSource(loop.task, loop.world, weights_hash)};
+}
+
+SceneRuns RunClosedLoops(const ClosedLoop& loop, Items scenes) {
+  const std::vector<std::uint64_t> seeds = SeedsOf(loop);
+  scenes.count = static_cast<int>(seeds.size());
+  SceneRuns runs = RunScenes(loop.shard, scenes, seeds, [&]() -> SceneRun {
     auto bench = std::make_shared<SceneBench>(loop);
     return [bench](std::uint64_t seed) { return bench->Run(seed); };
   });

@@ -6,6 +6,7 @@
 
 #include "cli/options/scene.h"
 #include "cli/options/search.h"
+#include "cli/options/shard.h"
 #include "model/refusal/scene_kind.h"
 #include "planner/search_parameters.h"
 #include "sim/task_factory.h"
@@ -34,6 +35,7 @@ struct ClosedLoop {
                                   // samples=N, simulator_model=N
   int jobs = 1;
   std::string videos;  // folder; empty: none
+  cli::ShardOptions shard;
 };
 
 // What a search and the loop around it are asked for. `goal` is read as loop->task in loop->world
@@ -47,8 +49,12 @@ void CheckInputs(const ClosedLoop& loop);
 // What kind of scenes they are.
 model::SceneKind KindAsked(const ClosedLoop& loop);
 
-// Runs all scenes. Shows progress; is stopped, and throws, as RunScenes.
-SceneRuns RunClosedLoops(const ClosedLoop& loop);
+// The loop's scenes as items of a run; `weights_hash` says which weights they are run with.
+Items ScenesOf(const ClosedLoop& loop, std::uint64_t weights_hash);
+
+// Runs the scenes: all, or the share of loop.shard. Shows progress; is stopped, and throws, as
+// RunScenes.
+SceneRuns RunClosedLoops(const ClosedLoop& loop, Items scenes);
 
 // The runs as a table for a person, on Words() (tools/common/words.h).
 void Tell(const ClosedLoop& loop, const SceneRuns& runs);

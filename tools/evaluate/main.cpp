@@ -3,6 +3,7 @@
 
 #include "base/run_main.h"
 #include "cli/program.h"
+#include "tools/common/merge.h"
 #include "tools/evaluate/commands.h"
 
 int main(int argc, char** argv) {
@@ -19,6 +20,9 @@ int main(int argc, char** argv) {
       Carries("on-bus", "evaluate on-bus", tools::RunOnBus),
 #endif
       Carries("refusals", "evaluate refusals", tools::RunRefusals),
+      tools::CarriesMerge({tools::Merges("evaluate", tools::RunEvaluate),
+                           tools::Merges("evaluate plans", tools::RunPlans),
+                           tools::Merges("evaluate calibrate", tools::RunCalibrate)}),
   };
   return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-evaluate", kExitDisk);
 }

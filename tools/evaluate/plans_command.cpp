@@ -54,10 +54,15 @@ int RunPlans(const cli::EvaluatePlansOptions& options) {
   const std::string weights = cli::WeightsFile(options.weights, options.task);
   sim::MakeTask(options.task, WorldOf(options.scene));  // refuses what is out of range early
   RequireWeightsOf(options.task, weights);
-  const SceneRuns runs = RunScenes(options.scenes, options.seed, options.jobs, [&]() -> SceneRun {
+  const Items scenes = {
+      "scenes", options.scenes, options.jobs,
+      SceneSource(options.task, WorldOf(options.scene), model::WeightsFileHash(weights))};
+  const SceneRuns runs = RunScenes(options.shard, scenes, options.seed, [&]() -> SceneRun {
     auto bench = std::make_shared<Bench>(options, weights);
     return [bench](std::uint64_t seed) { return bench->Run(seed); };
   });
+  if (options.shard.given())
+    return WritePart(options.shard, options.report, "evaluate plans", scenes, runs);
   json summary = SummarisePlans(runs.records);
   Words() << PlanTable(summary) << runs.extent.Line("scenes");
   summary["task"] = options.task;

@@ -34,6 +34,7 @@ ClosedLoop LoopOf(const cli::EvaluateOptions& options) {
     loop.rows.insert(loop.rows.begin(), "planner");
   loop.jobs = options.jobs;
   loop.videos = options.videos;
+  loop.shard = options.shard;
   return loop;
 }
 
@@ -61,8 +62,11 @@ int RunEvaluate(const cli::EvaluateOptions& options) {
   CheckInputs(loop);
   if (options.promise.asked()) loop.threshold = PromisedThreshold(options.promise, loop);
   const std::string not_covered = HeedCoverage(loop.weights, KindAsked(loop), &loop.threshold);
-  const SceneRuns runs = RunClosedLoops(loop);
+  const Items scenes = ScenesOf(loop, model::WeightsFileHash(loop.weights));
+  const SceneRuns runs = RunClosedLoops(loop, scenes);
   Tell(loop, runs);
+  if (options.shard.given())
+    return WritePart(options.shard, options.report, "evaluate", scenes, runs);
   cli::WriteReport(options.report, Report(options, loop, runs, not_covered));
   return runs.extent.exit_code();
 }

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "base/hash.h"
 #include "model/novelty.h"
 #include "model/weights_file.h"
-#include "tools/common/fork_map.h"
-#include "tools/common/progress.h"
+#include "sim/task_factory.h"
+#include "tools/common/run_items.h"
 
 namespace prospect::tools {
 
@@ -20,41 +20,33 @@ namespace prospect::tools {
 using SceneRun = std::function<nlohmann::json(std::uint64_t scene_seed)>;
 
 // Records of the scenes that were run, in the order of their seeds.
-struct SceneRuns {
-  std::vector<nlohmann::json> records;
-  Extent extent;
-};
+using SceneRuns = ItemRuns;
 
-// Runs these scenes in `jobs` processes that each set themselves up once. Shows progress. Throws as
-// ForkMap, and is stopped as it is.
-inline SceneRuns RunScenes(const std::vector<std::uint64_t>& seeds, int jobs,
+// What the records of these scenes depend on besides the options. Throws as sim::MakeTask,
+// model::WeightsError.
+inline nlohmann::json SceneSource(const std::string& task, const sim::TaskOptions& world,
+                                  std::uint64_t weights_hash) {
+  return {{"world_version", sim::MakeTask(task, world)->spec().world_version},
+          {"weights", base::HexText(weights_hash)}};
+}
+
+// Runs these scenes, which are all `items` of a run, or the share of `shard`, in items.jobs
+// processes that each set themselves up once. Shows progress. Throws, and is stopped, as RunItems.
+inline SceneRuns RunScenes(const cli::ShardOptions& shard, const Items& items,
+                           const std::vector<std::uint64_t>& seeds,
                            const std::function<SceneRun()>& set_up) {
-  std::vector<nlohmann::json> records(seeds.size());
-  const int scenes = static_cast<int>(seeds.size());
-  Progress progress("scenes", scenes);
-  SceneRuns runs;
-  runs.extent = ForkMap(
-      scenes, jobs,
-      [&]() {
-        const SceneRun run = set_up();
-        return [run, &seeds](int i) { return run(seeds[static_cast<std::size_t>(i)]).dump(); };
-      },
-      [&](int i, const std::string& line) {
-        records[static_cast<std::size_t>(i)] = nlohmann::json::parse(line);
-        progress.Step();
-      });
-  for (nlohmann::json& record : records) {
-    if (!record.is_null()) runs.records.push_back(std::move(record));
-  }
-  return runs;
+  return RunItems(shard, items, [&]() {
+    const SceneRun run = set_up();
+    return [run, &seeds](int i) { return run(seeds[static_cast<std::size_t>(i)]).dump(); };
+  });
 }
 
 // The same for the scenes from `first_seed` on.
-inline SceneRuns RunScenes(int scenes, std::uint64_t first_seed, int jobs,
-                           const std::function<SceneRun()>& set_up) {
-  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(scenes));
+inline SceneRuns RunScenes(const cli::ShardOptions& shard, const Items& items,
+                           std::uint64_t first_seed, const std::function<SceneRun()>& set_up) {
+  std::vector<std::uint64_t> seeds(static_cast<std::size_t>(items.count));
   std::iota(seeds.begin(), seeds.end(), first_seed);
-  return RunScenes(seeds, jobs, set_up);
+  return RunScenes(shard, items, seeds, set_up);
 }
 
 // Throws model::WeightsError when the file cannot be read or was trained for another task.

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/seconds_since.h"
 #include "cli/report_file.h"
 #include "sim/oracle_cache.h"
 #include "sim/task_factory.h"
-#include "tools/common/fork_map.h"
 #include "tools/common/interval.h"
-#include "tools/common/progress.h"
+#include "tools/common/run_items.h"
 #include "tools/common/world.h"
 #include "tools/oracle/speed.h"
 #include "tools/world/commands.h"
@@ -23,6 +23,7 @@ using Options = cli::OracleOptions;
 
 // One scene's line from a worker.
 json Consult(sim::Task& task, std::uint64_t seed, sim::OracleCache* cache) {
+  const auto start = std::chrono::steady_clock::now();
   task.Reset(seed);
   const sim::OracleResult result = cache != nullptr ? sim::ConsultOracleCached(task, seed, *cache)
                                                     : sim::ConsultOracle(task, seed);
@@ -31,11 +32,13 @@ json Consult(sim::Task& task, std::uint64_t seed, sim::OracleCache* cache) {
           {"runs", static_cast<int>(result.plans.size()) * result.rounds},
           {"plans", result.plans.size()},
           {"frequency", result.success_frequency()},
-          {"failures", result.failures}};
+          {"failures", result.failures},
+          {"seconds", base::SecondsSince(start)}};
 }
 
 struct Totals {
   int scenes = 0;
+  double seconds = 0;             // summed over scenes
   double failure_share = 0;       // summed over scenes
   double solvable_frequency = 0;  // summed over solvable scenes
   std::map<std::string, int> classes = {{"solvable", 0}, {"hopeless", 0}, {"doubtful", 0}};
@@ -44,6 +47,7 @@ struct Totals {
 
 void Add(const json& scene, Totals* totals) {
   ++totals->scenes;
+  totals->seconds += scene.at("seconds").get<double>();
   totals->failure_share += scene.at("failure_share").get<double>();
   const std::string scene_class = scene.at("class");
   ++totals->classes[scene_class];
@@ -57,7 +61,7 @@ void Add(const json& scene, Totals* totals) {
 // Keys: task, scenes, first_seed, objects, legs, random_failure_share, causes (reason: share of all
 // random runs), solvable, hopeless, doubtful (count, share, low, high), oracle_success,
 // seconds_per_scene, times_real_time, times_real_time_camera, stopped, wanted (scenes).
-json Report(const Options& options, const Totals& totals, double seconds) {
+json Report(const Options& options, const Totals& totals) {
   const sim::TaskOptions world = WorldOf(options.scene);
   json report = {{"task", options.task},
                  {"scenes", totals.scenes},
@@ -65,7 +69,7 @@ json Report(const Options& options, const Totals& totals, double seconds) {
                  {"objects", world.objects},
                  {"legs", world.legs},
                  {"random_failure_share", totals.failure_share / totals.scenes},
-                 {"seconds_per_scene", seconds * options.jobs / totals.scenes}};
+                 {"seconds_per_scene", totals.seconds / totals.scenes}};
   for (const auto& [name, count] : totals.classes) {
     const Share share = ShareOf(count, totals.scenes);
     report[name] = {
@@ -120,20 +124,18 @@ std::function<std::string(int)> MakeWorker(const Options& options) {
 }  // namespace
 
 int RunOracle(const Options& options) {
-  sim::MakeTask(options.task,
-                WorldOf(options.scene));  // refuses bad options before any process starts
+  // Refuses bad options before any process starts.
+  const auto task = sim::MakeTask(options.task, WorldOf(options.scene));
+  const Items scenes = {
+      "scenes", options.scenes, options.jobs, {{"world_version", task->spec().world_version}}};
+  const ItemRuns runs = RunItems(options.shard, scenes, [&] { return MakeWorker(options); });
+  if (options.shard.given())
+    return WritePart(options.shard, options.report, "oracle", scenes, runs);
+  const Extent& extent = runs.extent;
+  if (runs.records.empty()) throw Interrupted(extent.Words("scenes"));
   Totals totals;
-  Progress progress("scenes", options.scenes);
-  const auto start = std::chrono::steady_clock::now();
-  const Extent extent = ForkMap(
-      options.scenes, options.jobs, [&] { return MakeWorker(options); },
-      [&](int, const std::string& line) {
-        Add(json::parse(line), &totals);
-        progress.Step();
-      });
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (totals.scenes == 0) throw Interrupted(extent.Words("scenes"));
-  json report = Report(options, totals, seconds.count());
+  for (const json& scene : runs.records) Add(scene, &totals);
+  json report = Report(options, totals);
   extent.Put(&report);
   if (options.report.talks()) {
     Print(report);

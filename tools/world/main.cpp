@@ -2,6 +2,7 @@
 
 #include "base/run_main.h"
 #include "cli/program.h"
+#include "tools/common/merge.h"
 #include "tools/world/commands.h"
 
 int main(int argc, char** argv) {
@@ -12,6 +13,8 @@ int main(int argc, char** argv) {
       Carries("ceiling", "ceiling", tools::RunCeiling),
       Carries("takes", "takes", tools::RunTakes),
       Carries("view", "view", tools::RunView),
+      tools::CarriesMerge(
+          {tools::Merges("oracle", tools::RunOracle), tools::Merges("ceiling", tools::RunCeiling)}),
   };
   return RunMain([&] { return cli::RunPart(argc, argv, parts); }, "prospect-world", kExitDisk);
 }

@@ -32,6 +32,13 @@ TEST(Values, SharesLieBetween) {
   for (const char* wrong : {"0", "1", "5", "x"}) EXPECT_NE(Said(Share(), wrong), "") << wrong;
 }
 
+TEST(Values, PartsAreCountedFromOne) {
+  for (const char* right : {"1/1", "1/8", "8/8", "1000/1000"})
+    EXPECT_EQ(Said(PartOfParts(), right), "");
+  for (const char* wrong : {"0/8", "9/8", "-1/8", "1/1001", "1", "1/", "/8", "1/8x", "1 / 8", ""})
+    EXPECT_NE(Said(PartOfParts(), wrong), "") << wrong;
+}
+
 TEST(Values, GoalsAreReadByThePlanner) {
   EXPECT_EQ(Said(Goal(), "on(red,blue), visited(barrel)"), "");
   EXPECT_NE(Said(Goal(), "on(red"), "");
