@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/command.h"
 #include "cli/options/common.h"
 #include "cli/values.h"
 
@@ -141,6 +142,27 @@ void DefineRecipe(CLI::App& app, TrainOptions& options) {
   }
 }
 
+// A run of a sweep may say all that one that is typed may.
+void DefineSweep(CLI::App& app, TrainOptions& options) {
+  CLI::Option* sweep =
+      app.add_option("--sweep", options.sweep,
+                     "a list of runs (YAML), each a map of these options without dashes, and a "
+                     "name: train run --index of it, in a folder of its name in --out")
+          ->type_name("FILE")
+          ->excludes(app.get_option("--recipe"));
+  CLI::Option* index = app.add_option("--index", options.index, "which run of --sweep, from 1")
+                           ->type_name("I")
+                           ->transform(Whole(1, 1'000'000))
+                           ->needs(sweep);
+  sweep->needs(index);
+  app.parse_complete_callback([&app, &options] {
+    options.asked = Given(app, [](const std::string& name) {
+      return name != "--sweep" && name != "--index" && name != "--out" && name != "--json" &&
+             name != "--quiet" && name != "--help";
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> VariantNames() { return NamesOf(kVariants); }
@@ -155,6 +177,7 @@ void Define(CLI::App& app, TrainOptions& options) {
   DefineConfiguration(app, options);
   DefineRun(app, options);
   DefineRecipe(app, options);
+  DefineSweep(app, options);
   DefineReport(app, options.report);
   app.footer(Listed("Rows of the paper's comparison (--variant):", kVariants) + "\n" +
              Listed("Steps beyond the paper (--without):", kSteps));

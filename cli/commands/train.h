@@ -19,6 +19,8 @@ struct TrainOptions {
   double minutes = 0;                ///< instead: of all stages' iterations together; 0: not asked
   std::string variant;               ///< of the paper's comparison; empty: none
   std::string recipe;                ///< file of runs, one after the other; empty: one run
+  std::string sweep;                 ///< file of runs, of which `index` is trained; empty: none
+  int index = 0;                     ///< from 1
   bool paper = false;                ///< leave all steps beyond the paper out
   std::vector<std::string> without;  ///< leave these out
   bool finetune = false;             ///< encoder and decoder learn on with T
@@ -35,6 +37,8 @@ struct TrainOptions {
   std::string bundle;                ///< folder for a copy of the weights without C; empty: none
   bool print_config = false;         ///< print the configuration and stop
   ReportOptions report;
+  /// All that was typed, apart from --sweep, --index, --out and what becomes of the report.
+  std::vector<std::string> asked;
 };
 
 void Define(CLI::App& app, TrainOptions& options);

@@ -25,6 +25,7 @@
 #include "tools/common/same_table.h"
 #include "tools/common/task_training.h"
 #include "tools/train/commands.h"
+#include "tools/train/sweep.h"
 
 namespace prospect::tools {
 namespace {
@@ -242,6 +243,7 @@ int RunRecipe(const cli::TrainOptions& a, const std::string& command) {
 }  // namespace
 
 int RunTrain(const cli::TrainOptions& options, const std::string& command) {
+  if (!options.sweep.empty()) return RunTrain(SweptRun(options), command);
   if (!options.recipe.empty()) return RunRecipe(options, command);
   const model::TrainConfig config = ConfigOf(options);
   if (options.print_config) {
