@@ -124,7 +124,7 @@ TEST_P(Weights, AreThoseOfThePublishedFigures) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, Weights,
-                         testing::Values(Golden{"navigation", "7adcdd449bb4c5d6"},
+                         testing::Values(Golden{"navigation", "7848b875e6ed708f"},
                                          Golden{"stacking", "ffaccafc17b46f0a"},
                                          Golden{"suturing", "5a1129c2d772939b"}),
                          [](const auto& one) { return std::string(one.param.task); });

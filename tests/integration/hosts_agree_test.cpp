@@ -41,6 +41,7 @@ class Here {
     planner::SearchParameters search;
     search.samples = kSamples;
     search.depth = 0;
+    search.UseRule(engine_->info().calibrations.at(0).rule);
     const agent::EpisodeOptions usual;
     decider_ = tools::MakeLearned(tools::PlanBy::kSearch, engine_.get(), search, {}, usual.retries,
                                   usual.surprise);
