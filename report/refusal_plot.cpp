@@ -55,6 +55,13 @@ void DrawCurve(Plot* plot, const json& curve) {
   }
 }
 
+std::string InWords(const json& summary) {
+  if (summary["kept"] == 0) return "in no split any threshold could promise it";
+  return base::Number("mean %.1f %%, ", 100 * summary["mean"].get<double>()) +
+         base::Number("%.0f of ", summary["within"].get<int>()) +
+         base::Number("%.0f splits in the 95 %% band", summary["kept"].get<int>());
+}
+
 // The rates of all splits as dots on a line from 0 to three times the target, which is marked.
 void DrawSplits(Canvas* canvas, int left, int y, const char* what, const json& summary) {
   const double target = summary["target"];
@@ -64,13 +71,10 @@ void DrawSplits(Canvas* canvas, int left, int y, const char* what, const json& s
   };
   canvas->Text(left, y - 34, what + base::Number(", promised at most %g %%:", 100 * target),
                kNoteStyle);
-  canvas->Text(left, y - 16,
-               base::Number("mean %.1f %%, ", 100 * summary["mean"].get<double>()) +
-                   base::Number("%.0f of ", summary["within"].get<int>()) +
-                   base::Number("%.0f splits in the 95 %% band", summary["kept"].get<int>()),
-               kNoteStyle);
+  canvas->Text(left, y - 16, InWords(summary), kNoteStyle);
   canvas->Line(left, y + 12, left + kPlotWidth, y + 12, kRule, 1);
   canvas->Line(at(target), y + 3, at(target), y + 21, kBad, 2);
+  if (summary["kept"] == 0) return;
   for (const json& rate : summary["rates"]) canvas->Dot(at(rate), y + 12, 3, kMark);
   canvas->Line(at(summary["mean"]), y + 5, at(summary["mean"]), y + 19, kInk, 2);
 }

@@ -38,8 +38,8 @@ std::vector<Named> FromWeights(const std::string& path) {
   std::vector<Named> all;
   for (const auto& sample : model::SamplesOf(model::CalibrationsOf(file, path))) {
     const model::SceneKind kind = model::KindOf(sample);
-    const std::string name = task + ", plans of " + std::to_string(kind.plan_length) +
-                             " actions among " + std::to_string(kind.objects) + " objects";
+    const std::string name = task + ", " + std::to_string(kind.plan_length) + " actions, " +
+                             std::to_string(kind.objects) + " objects";
     all.push_back({all.empty() ? task : name, sample});
   }
   if (!all.empty()) return all;
