@@ -118,7 +118,7 @@ std::vector<PlanOutcome> CarryOut(sim::Task& task, std::uint64_t scene_seed,
 
 OutcomeFile::OutcomeFile(const std::string& path) : path_(path) {
   std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  std::filesystem::create_directories(std::filesystem::absolute(path).parent_path(), error);
   if (error) throw base::DiskError("cannot make the folder of " + path);
   std::ifstream file(path);
   std::string text;

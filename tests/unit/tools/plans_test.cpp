@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "sim/rollout.h"
@@ -102,6 +103,14 @@ TEST(OutcomeFile, KeepsScenesAndSkipsWhatWasCutShort) {
   EXPECT_EQ(again.Find(5)->at(0).successes, 3);
   EXPECT_EQ(again.Find(5)->at(0).again, 4);
   EXPECT_EQ(again.Find(6), nullptr);
+}
+
+TEST(OutcomeFile, MayLieWhereOneIs) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(testing::TempDir());
+  OutcomeFile("here.jsonl").Store(5, {{{1, 2}, 3, 4}});
+  EXPECT_TRUE(std::filesystem::remove("here.jsonl"));
+  std::filesystem::current_path(before);
 }
 
 }  // namespace
