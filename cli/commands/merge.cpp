@@ -1,5 +1,7 @@
 #include "cli/commands/merge.h"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/options/common.h"
 #include "cli/options/report.h"
 

@@ -91,7 +91,7 @@ std::string Blocks(const sim::Image& image) {
       int sums[3] = {};
       for (int i = 0; i < kSide * kSide * 3; ++i) {
         const int row = y + i / (kSide * 3), column = x * 3 + i % (kSide * 3);
-        sums[i % 3] += image.rgb[static_cast<std::size_t>(row * image.width * 3 + column)];
+        sums[i % 3] += image.rgb[static_cast<std::size_t>(row) * image.width * 3 + column];
       }
       for (const int sum : sums) text += std::to_string(sum / (kSide * kSide * kStep)) + ' ';
     }

@@ -33,7 +33,7 @@ SweepOptions Options() {
 TEST(ShiftSweep, IsAnOpenLoopWithShiftedPictures) {
   const SweepOptions options = Options();
   ShiftSweep sweep(options);
-  const auto engine = model::LoadEngine(options.weights, 1);
+  const auto engine = model::LoadSearchEngine(options.weights, 1);
   int attempted = 0;
   for (std::uint64_t seed = kScene; seed < kScene + 3; ++seed) {
     const json record = sweep.Run(seed);
