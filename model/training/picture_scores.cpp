@@ -116,12 +116,13 @@ class ChainScorer {
     const torch::Tensor h0 = split_.Hidden(trial.first);
     torch::Tensor h = split_.Hidden(first.start);
     seen_ = Seen(first.start);
+    clean_start_ = Clean(first.start);
     decoded_start_ = networks_.decoder->forward(h);
     ChainSums sums;
     for (int k = 0; k < 2 && segment + k < trial.first_segment + trial.segments; ++k) {
       const SegmentSample& step = context_.segment(segment + k);
       h = networks_.transform->forward(h0, h, ActionTensor({step.action}, context_.device));
-      ScorePicture(h, first, step, &sums[static_cast<std::size_t>(k)]);
+      ScorePicture(h, step, &sums[static_cast<std::size_t>(k)]);
     }
     return sums;
   }
@@ -144,17 +145,16 @@ class ChainScorer {
         .to(context_.device);
   }
 
-  void ScorePicture(const torch::Tensor& h, const SegmentSample& first, const SegmentSample& step,
-                    StepSums* sums) {
+  void ScorePicture(const torch::Tensor& h, const SegmentSample& step, StepSums* sums) {
     const torch::Tensor x = ImaginedPicture(seen_, decoded_start_, networks_.decoder->forward(h),
                                             context_.config.compose);
     const torch::Tensor goal = Seen(step.goal);
     const torch::Tensor clean = Clean(step.goal);
     const torch::Tensor changed =
-        (clean - Clean(first.start)).abs().amax(1, true).gt(kChanged).to(torch::kFloat);
+        (clean - clean_start_).abs().amax(1, true).gt(kChanged).to(torch::kFloat);
     const torch::Tensor again = networks_.decoder->forward(split_.Hidden(step.goal));
     sums->predicted.Add(x, goal, clean, changed);
-    sums->copied.Add(Seen(first.start), goal, clean, changed);
+    sums->copied.Add(seen_, goal, clean, changed);
     sums->reconstructed.Add(again * LightGain(goal, again), goal, clean, changed);
     sums->noise += (goal - clean).abs().sum().item<double>();
     sums->values += static_cast<double>(goal.numel());
@@ -180,7 +180,7 @@ class ChainScorer {
   const ScoredSplit& split_;
   const TrainContext& context_;
   Networks networks_;
-  torch::Tensor seen_, decoded_start_;  // where the chain begins
+  torch::Tensor seen_, clean_start_, decoded_start_;  // where the chain begins
   const TrialFile& file_;
   std::mutex* file_mutex_;
 };

@@ -132,7 +132,8 @@ TEST_F(Promises, WithoutACalibrationNothingIsPromised) {
   EXPECT_EQ(Explain(deployment, {"--refuse-at-most", "0.1", "--refusal-threshold", "0.3"}), 2);
 }
 
-// The bundled weights were calibrated with four objects on the site; here are seven.
+// The bundled weights were calibrated on plans of three actions among four objects, and of five
+// among seven; here are three among seven.
 TEST_F(Promises, AreNotCarriedOverToScenesOfAnotherKind) {
   Deployment deployment("promise_other_kind");
   deployment.Simulator();
@@ -147,8 +148,10 @@ TEST_F(Promises, AreNotCarriedOverToScenesOfAnotherKind) {
   EXPECT_EQ(explain({}), 3);
   auto result = deployment.Result();
   EXPECT_TRUE(Holds(result.at("reason"), "how often they succeed here is not known")) << result;
-  EXPECT_TRUE(Holds(result.at("not_covered"),
-                    "plans of 3 actions among 4 objects, not on plans of 3 actions among 7"))
+  EXPECT_TRUE(
+      Holds(result.at("not_covered"),
+            "plans of 3 actions among 4 objects and on plans of 5 actions among 7 objects, not "
+            "on plans of 3 actions among 7"))
       << result;
   EXPECT_TRUE(result.at("confidence").is_null());
   EXPECT_EQ(LatestThreshold(), 0) << "that of the calibration does not hold";

@@ -18,8 +18,13 @@ for command in demo up run explain; do
   expect 2 "--legs wants .* 3 to 5, not '6'" "$prospect" "$command" --task navigation --legs 6
   expect 2 "--legs is not for stacking, which takes --tower" "$prospect" "$command" --task stacking --legs 5
 done
-for command in evaluate "evaluate plans" "evaluate shifts" oracle takes ceiling "view --out x.png" "collect --out x.h5"; do
+for command in evaluate "evaluate plans" "evaluate shifts" oracle takes "view --out x.png"; do
   expect 2 "--tower wants .* 2 to 4, not '5'" "$prospect" $command --tower 5
+done
+for command in ceiling "collect --out x.h5"; do
+  expect 2 "--tower wants one of 2, 3, 4, mixed, not '5'" "$prospect" $command --tower 5
+done
+for command in evaluate "evaluate plans" "evaluate shifts" oracle takes ceiling "view --out x.png" "collect --out x.h5"; do
   expect 2 'none.yaml: cannot be read' "$prospect" $command --scene-file none.yaml
 done
 
