@@ -44,9 +44,11 @@ BusView::BusView(Bus& bus) : bus_(bus) {
       bus.Subscribe<label_t>([this](const label_t& label) { OnLabel(label); }));
 }
 
-std::vector<model::CalibrationSample> BusView::calibrations(std::int64_t weights_hash) const {
+const std::vector<model::CalibrationSample>& BusView::calibrations(
+    std::int64_t weights_hash) const {
+  static const std::vector<model::CalibrationSample> none;
   const auto found = calibrations_.find(weights_hash);
-  return found == calibrations_.end() ? std::vector<model::CalibrationSample>() : found->second;
+  return found == calibrations_.end() ? none : found->second;
 }
 
 void BusView::OnCalibration(const calibration_t& calibration) {

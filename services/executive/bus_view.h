@@ -52,7 +52,7 @@ class BusView {
   bool LabelsExpected() const { return labels_heard_ || pictures_heard_ < 2; }
   const ServerList& servers() const { return servers_; }
   /// The calibrations of these weights that were heard, one for each kind of scenes.
-  std::vector<model::CalibrationSample> calibrations(std::int64_t weights_hash) const;
+  const std::vector<model::CalibrationSample>& calibrations(std::int64_t weights_hash) const;
   /// Every picture of the episode heard so far, by frame number.
   const std::map<std::int64_t, agent::Picture>& frames() const { return frames_; }
   /// What is wrong with pictures that came and were refused ("32x32 pixels, where TASK says

@@ -186,7 +186,7 @@ model_info_t ChooseModel(Conversation& talk, const ExecutiveOptions& options) {
 
 std::vector<model::CalibrationSample> AwaitCalibrations(Conversation& talk,
                                                         const model_info_t& model, bool needed) {
-  const auto heard = [&] { return talk.view().calibrations(model.weights_hash); };
+  const auto heard = [&]() -> const auto& { return talk.view().calibrations(model.weights_hash); };
   const auto wanted = static_cast<std::size_t>(std::max(model.calibrations, needed ? 1 : 0));
   if (talk.Until([&] { return heard().size() >= wanted; }, kCalibrationTimeoutMs)) return heard();
   const std::string weights = "weights " + base::HexText(model.weights_hash);

@@ -30,10 +30,10 @@ model::SceneKind KindOf(const sim::Task& task);
 std::map<std::string, double> CoveredParameters(const planner::SearchParameters& search,
                                                 const model::SceneKind& kind, int retries);
 
-// Where the calibration of the weights says nothing of scenes of this kind: tells so on standard
-// error, and makes a threshold that is the weights' own (below 0) 0, so that nothing is refused for
-// its score. Returns what it told; empty: all is as the calibration has it. Throws
-// model::WeightsError.
+// Makes a threshold that is to be the weights' own (below 0) the one of their calibration on scenes
+// of this kind. Where they have none for it: tells so on standard error and makes it 0, so that
+// nothing is refused for its score. Returns what it told; empty: all is as the calibration has it.
+// Throws model::WeightsError.
 std::string HeedCoverage(const std::string& weights, const model::SceneKind& kind,
                          double* threshold);
 
